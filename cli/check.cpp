@@ -10,6 +10,7 @@
 #include "cli/scene_input.h"
 #include "io/results/plane/check_report.h"
 #include "io/scene/scene_json.h"
+#include "io/scene/space/mesh_reader.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/naming_file.h"
 #include "solver/plane/check/scene_repair.h"
@@ -28,7 +29,7 @@ struct CheckCommandOptions {
 Rational distance_of(const CheckCommandOptions& options) {
   if (options.fix.empty() && !options.within.empty()) throw UsageError("--within D goes with --fix OUT");
   if (options.fix == "-") throw UsageError("--fix writes a scene file; standard output has the findings");
-  if (!options.fix.empty()) require_scene_ending("--fix", options.fix);
+  if (!options.fix.empty() && !mesh_format_3(options.fix)) require_scene_ending("--fix", options.fix);
   if (options.within.empty()) return 0;
   const auto distance = parse_rational(options.within);
   if (!distance || *distance <= 0) throw UsageError("--within must be a positive number, not '" + options.within + "'");
@@ -70,6 +71,8 @@ ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const
 
 ExitCode check_in_plane(const CheckCommandOptions& options, const Rational& distance, const Scene2& scene,
                         Streams& streams) {
+  if (mesh_format_3(options.fix))
+    throw UsageError("a scene in the plane is repaired as a scene (.json), not as a mesh");
   if (!options.fix.empty()) return fix(options, distance, scene, streams);
   const auto check = look_at(scene, streams);
   streams.write("", options.json ? check_json(scene, check->findings) : check_text(scene, check->findings));
@@ -98,12 +101,14 @@ void add_check(Commands& commands) {
   command.add_flag("--json", options->json, "as one JSON object");
   options->polygons.add_to(command);
   command
-      .add_option("--fix", options->fix,
-                  "write a repaired scene: rooms inside out and polygons upside down reversed, \"behind\": \"solid\" "
-                  "said where "
-                  "that is certain, with --within also near misses closed and repetitions dropped; then the repairs, "
-                  "the change in every "
-                  "affected view factor and what is found in the repaired scene are shown")
+      .add_option(
+          "--fix", options->fix,
+          "write a repaired scene (in space a mesh too): rooms, bodies and polygons that are inside out or upside down "
+          "reversed, doubles dropped, \"behind\": \"solid\" "
+          "said where "
+          "that is certain, with --within also near misses closed and repetitions dropped; then the repairs, "
+          "the change in every "
+          "affected view factor and what is found in the repaired scene are shown")
       ->type_name("OUT");
   command
       .add_option("--within", options->within,

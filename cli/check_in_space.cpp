@@ -1,12 +1,16 @@
 #include "cli/check_in_space.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
+#include "cli/mesh_output.h"
 #include "cli/repaired_file.h"
 #include "io/results/space/check_report.h"
 #include "io/scene/scene_json.h"
+#include "io/scene/space/mesh_reader.h"
 #include "kernel/support/naming_file.h"
 #include "solver/space/check/scene_repair.h"
 #include "solver/space/simulation/simulation.h"
@@ -26,6 +30,17 @@ SceneCheck3 look_at(const Scene3& scene, const Streams& streams) {
 
 ExitCode exit_code(const SceneCheck3& check) { return has_error(check.findings) ? ExitCode::kUnmet : ExitCode::kDone; }
 
+// Where that is the file of the scene itself, only if something was repaired; told, as of a RepairedFile.
+void write_repaired(const std::string& out, MeshFormat3 format, const Scene3& scene, bool is_repaired,
+                    const std::string& input, const Streams& streams) {
+  std::error_code missing;
+  const bool is_input = std::filesystem::equivalent(out, input, missing) && !missing;
+  if (is_repaired || !is_input) write_mesh(out, format, scene, streams);
+  if (is_input)
+    streams.note(out +
+                 (is_repaired ? " is overwritten by the repaired scene" : " is left as it is: nothing is repaired"));
+}
+
 }  // namespace
 
 ExitCode check_in_space(const Scene3& scene, const std::string& file, const std::string& fix, const Rational& distance,
@@ -35,7 +50,9 @@ ExitCode check_in_space(const Scene3& scene, const std::string& file, const std:
     streams.write("", as_json ? check_json(scene, check.findings) : check_text(scene, check.findings));
     return exit_code(check);
   }
-  RepairedFile out(fix, file);
+  const auto mesh = mesh_format_3(fix);
+  std::optional<RepairedFile> out;
+  if (!mesh) out.emplace(fix, file);
   const SceneCheck3 before = look_at(scene, streams);
   std::string text;
   Scene3 repaired;
@@ -43,6 +60,9 @@ ExitCode check_in_space(const Scene3& scene, const std::string& file, const std:
   const Repair3 repair = repair_scene(scene, distance, before, [&](const Scene3& some) {
     text = naming_file(scene.file, [&] { return write_scene_3(some); });
     repaired = parse_scene_3(text, fix);
+    repaired.sources = scene.sources;
+    if (mesh)
+      for (Surface& surface : repaired.surfaces) surface.line = 0;  // of a scene file that nobody gets
     return after = look_at(repaired, streams);
   });
 
@@ -51,10 +71,12 @@ ExitCode check_in_space(const Scene3& scene, const std::string& file, const std:
     changes = factor_changes(*before.factors, *after.factors,
                              [&](const Element& element) { return former_name(repair, element); });
   const RepairReport report{&repair.steps, changes ? &*changes : nullptr};
-  out.write(text, is_anything_done(repair.steps));
+  if (out) out->write(text, is_anything_done(repair.steps));
+  if (mesh)
+    naming_file(file, [&] { write_repaired(fix, *mesh, repaired, is_anything_done(repair.steps), file, streams); });
   streams.write("", as_json ? check_json(repaired, after.findings, &report)
                             : repair_text(scene, report) + check_text(repaired, after.findings));
-  out.commit(streams);
+  if (out) out->commit(streams);
   return exit_code(after);
 }
 

@@ -28,7 +28,7 @@ namespace hottel {
 namespace {
 
 struct ConvertOptions {
-  std::string in, out, per, front = "inside";
+  std::string in, out, per;
   PolygonOptions polygons;
 };
 
@@ -53,8 +53,7 @@ void convert_drawing(const ConvertOptions& options, Streams& streams) {
 
 void convert_map(const ConvertOptions& options, Streams& streams) {
   PassedOver passed_over;
-  const Scene2 scene =
-      read_map_2(options.in, options.front == "outside" ? MapSide2::kOutside : MapSide2::kInside, &passed_over);
+  const Scene2 scene = read_map_2(options.in, options.polygons.side(), &passed_over);
   streams.write(options.out, naming_file(options.in, [&] { return write_scene_2(scene); }));
   std::vector<std::string> materials;
   for (const Material& material : scene.materials) materials.push_back(material.name);
@@ -127,24 +126,24 @@ ExitCode convert(const ConvertOptions& options, Streams& streams) {
   if (!makes_mesh && !makes_deck && options.out != "-" && std::filesystem::path(options.out).extension() != ".json")
     throw UsageError(std::string("convert writes a scene (.json, or - for standard output), a mesh (") + kMeshEndings3 +
                      ") or a deck of View3D (.vs3), not '" + options.out + "'");
-  if (options.front != "inside" && !is_map_2(options.in))
-    throw UsageError("--front is of the polygons of a map (.geojson, .wkt)");
+  options.polygons.require_sense_for(options.in);
   if (is_map_2(options.in)) {
     if (options.polygons.triangulates) throw UsageError("--triangulate cuts polygons in space; a map is in the plane");
     if (makes_mesh || makes_deck)
       throw UsageError("a map is in the plane and becomes a scene (.json), not a mesh or a deck");
     convert_map(options, streams);
-  } else if (ending == ".svg") {
+  } else if (is_svg_2(options.in)) {
     if (options.polygons.triangulates)
       throw UsageError("--triangulate cuts polygons in space; a drawing is in the plane");
     if (makes_mesh || makes_deck)
       throw UsageError("a drawing is in the plane and becomes a scene (.json), not a mesh or a deck");
     convert_drawing(options, streams);
-  } else if (makes_deck && (mesh_format_3(options.in) || is_vs3(options.in) || ending == ".json")) {
+  } else if (makes_deck &&
+             (mesh_format_3(options.in) || is_vs3(options.in) || ending == ".json" || options.in == kStandardInput)) {
     write_deck(options.in, options.polygons, options.out, options.per, streams);
   } else if (mesh_format_3(options.in)) {
     convert_mesh(options, streams);
-  } else if (ending == ".json" || is_vs3(options.in)) {
+  } else if (ending == ".json" || is_vs3(options.in) || options.in == kStandardInput) {
     convert_scene(options, streams);
   } else {
     throw UsageError(std::string("convert reads a drawing (.svg), a map (.geojson, .wkt), a mesh (") + kMeshEndings3 +
@@ -185,8 +184,10 @@ void add_convert(Commands& commands) {
        "hottel convert scenes/analytic/triangle_345.json -"},
       [options](Streams& streams) { return convert(*options, streams); });
   command
-      .add_option("IN", options->in,
-                  "drawing (.svg), map (.geojson, .wkt), mesh (.obj, .ply, .off, .stl), deck (.vs3) or scene (.json)")
+      .add_option(
+          "IN", options->in,
+          "drawing (.svg), map (.geojson, .wkt), mesh (.obj, .ply, .off, .stl), deck (.vs3) or scene (.json); - is "
+          "a scene, map or drawing on standard input")
       ->required();
   command.add_option("OUT", options->out, "the scene (.json; - is standard output), mesh or deck to write")->required();
   command
@@ -194,11 +195,6 @@ void add_convert(Commands& commands) {
                   "of a deck (.vs3): group combines the surfaces of a group (cmb), as is the default where IN is one; "
                   "face does not")
       ->check(CLI::IsMember({"face", "group"}));
-  command
-      .add_option("--front", options->front,
-                  "of the polygons of a map: inside, they are rooms with solid holes; outside, solid with courtyards")
-      ->check(CLI::IsMember({"inside", "outside"}))
-      ->capture_default_str();
   options->polygons.add_to(command);
 }
 

@@ -155,6 +155,7 @@ void factors_in_plane(const FactorsOptions& options, Scene2 scene, Streams& stre
   files.finish();
   if (options.json) streams.write("", factors_json(factors.report));
   files.commit();
+  note_matrix(options, table, streams);
   streams.note(factors_text(factors.report));
 }
 

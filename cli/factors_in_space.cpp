@@ -94,6 +94,7 @@ void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams
                               .store = options.store.report(request.store)};
   if (options.json) streams.write("", factors_json(report));
   files.commit();
+  note_matrix(options, table, streams);
   streams.note(factors_text(report));
 }
 

@@ -67,6 +67,13 @@ void FactorsFiles::commit() {
     if (*file) (*file)->commit();
 }
 
+void note_matrix(const FactorsOptions& options, const FactorTable& table, const Streams& streams) {
+  if (options.wants_exact_form || options.format() != FactorsFormat::kNpy) return;
+  const std::size_t size = table.matrix.size() + std::size_t{1};  // with the sky
+  streams.note(fmt::format("{}: {}, {} x {}, from the row to the column; what these are is in {}.json", options.out,
+                           table.gray_channel ? "script-F" : "view factors F", size, size, options.out));
+}
+
 void write_table(const FactorsOptions& options, const FactorTable& table, FactorsFiles& files,
                  const std::function<void(const Sink&)>& write_faces) {
   const Sink sink = [&files](std::string_view text) { files.out->write(text); };

@@ -54,6 +54,9 @@ struct FactorsFiles {
   void commit();
 };
 
+// Says which matrix a .npy holds: the file itself has numbers only.
+void note_matrix(const FactorsOptions& options, const FactorTable& table, const Streams& streams);
+
 // Writes the factors as they are asked for, and what their rows are where the format has a file for that. write_faces:
 // writes FILE.faces.csv of a .mtx. Not for closed forms.
 void write_table(const FactorsOptions& options, const FactorTable& table, FactorsFiles& files,

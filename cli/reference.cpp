@@ -29,6 +29,7 @@ struct ReferenceOptions {
   std::string directory;
   std::vector<std::string> scenes;
   std::optional<std::string> tolerance;
+  PolygonOptions polygons;
 };
 
 // What factors of a set in space may be off, where nothing is said: less than others are likely to ask for.
@@ -40,7 +41,8 @@ struct GivenScene {
   std::string text;
 };
 
-GivenScene given_scene(const std::string& file, const Streams& streams) {
+GivenScene given_scene(const std::string& file, const PolygonOptions& polygons, const Streams& streams) {
+  polygons.require_sense_for(file);
   bool names_files = false;
   GivenScene given;
   if (std::filesystem::path(file).extension() == ".json") {
@@ -51,10 +53,13 @@ GivenScene given_scene(const std::string& file, const Streams& streams) {
     });
     if (!names_files) return given;
   } else {
-    given.scene = read_scene_noting(file, {}, streams);
+    given.scene = read_scene_noting(file, polygons, streams);
   }
-  // Meshes and decks as polygons, and what these come to when they are read.
-  given.text = naming_file(file, [&] { return write_scene_3(std::get<Scene3>(given.scene)); });
+  // Maps and drawings as polylines, meshes and decks as polygons, and what these come to when they are read.
+  given.text = naming_file(file, [&] {
+    const auto* const plane = std::get_if<Scene2>(&given.scene);
+    return plane != nullptr ? write_scene_2(*plane) : write_scene_3(std::get<Scene3>(given.scene));
+  });
   try {
     given.scene = parse_scene(given.text, file);
   } catch (const InputError& error) {
@@ -106,7 +111,7 @@ SceneReference refer_in_space(const std::string& name, GivenScene given, double 
 // The factors of all elements and the radiosities of one scene.
 SceneReference refer(const ReferenceOptions& options, const std::string& file, const std::string& name,
                      const Streams& streams) {
-  GivenScene given = given_scene(file, streams);
+  GivenScene given = given_scene(file, options.polygons, streams);
   if (std::holds_alternative<Scene3>(given.scene))
     return refer_in_space(name, std::move(given), tolerance_of(options.tolerance, kTolerance), streams);
   if (options.tolerance)
@@ -166,6 +171,7 @@ void add_reference(Commands& commands) {
       [options](Streams& streams) { return reference(*options, streams); });
   command.add_option("DIR", options->directory, "the folder to write into, created")->required();
   command.add_option("SCENES", options->scenes, "scene files; scene.json is named after its folder")->required();
+  options->polygons.add_front_to(command);
   command
       .add_option("--tolerance", options->tolerance,
                   "in space: what A F may be off, relative to the smaller area (default 1e-12)")

@@ -8,6 +8,8 @@
 #include "cli/command.h"
 #include "geometry/plane/scene/division.h"
 #include "geometry/space/scene/division.h"
+#include "io/files/text_file.h"
+#include "io/scene/plane/map_reader.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/trimmed.h"
 #include "solver/plane/light/illumination_grid.h"
@@ -17,6 +19,20 @@ namespace hottel {
 void PolygonOptions::add_to(CLI::App& command) {
   command.add_flag("--triangulate", triangulates,
                    "in space: read polygons that are not plane as triangles NAME[k], each a surface");
+  add_front_to(command);
+}
+
+void PolygonOptions::add_front_to(CLI::App& command) {
+  command
+      .add_option("--front", front,
+                  "of the polygons of a map: inside, they are rooms with solid holes; outside, solid with courtyards")
+      ->check(CLI::IsMember({"inside", "outside"}))
+      ->capture_default_str();
+}
+
+void PolygonOptions::require_sense_for(const std::string& file) const {
+  if (front != "inside" && !is_map_2(file) && file != kStandardInput)
+    throw UsageError("--front is of the polygons of a map (.geojson, .wkt)");
 }
 
 void note_passed_over(const PassedOver& passed_over, const Streams& streams) {
@@ -44,6 +60,7 @@ void note_unused(const DeckOutput3& output, const Streams& streams) {
 
 Scene read_scene_noting(const std::string& file, const PolygonOptions& options, const Streams& streams,
                         DeckOutput3* output) {
+  options.require_sense_for(file);
   Triangulator3 triangulator;
   Triangulator3* const used = options.triangulates ? &triangulator : nullptr;
   Scene scene;
@@ -57,7 +74,9 @@ Scene read_scene_noting(const std::string& file, const PolygonOptions& options, 
     scene = std::move(deck.scene);
   } else {
     PassedOver passed_over;
-    scene = read_scene(file, used, &passed_over);
+    scene = file == kStandardInput
+                ? parse_any_scene(read_standard_input(), kStandardInputName, used, &passed_over, options.side())
+                : read_scene(file, used, &passed_over, options.side());
     note_passed_over(passed_over, streams);
   }
   if (options.triangulates && std::holds_alternative<Scene2>(scene))
@@ -67,6 +86,7 @@ Scene read_scene_noting(const std::string& file, const PolygonOptions& options, 
 }
 
 Scene3 read_scene_noting_3(const std::string& file, const PolygonOptions& options, const Streams& streams) {
+  options.require_sense_for(file);
   if (is_vs3(file)) return std::get<Scene3>(read_scene_noting(file, options, streams));
   Triangulator3 triangulator;
   PassedOver passed_over;
@@ -76,9 +96,16 @@ Scene3 read_scene_noting_3(const std::string& file, const PolygonOptions& option
   return scene;
 }
 
-Scene2 read_scene_noting_2(const std::string& file, const Streams& streams) {
+Scene2 read_scene_noting_2(const std::string& file, const PolygonOptions& options, const Streams& streams) {
+  options.require_sense_for(file);
+  if (file == kStandardInput) {
+    Scene scene = read_scene_noting(file, options, streams);
+    if (!std::holds_alternative<Scene2>(scene))
+      throw InputError({kStandardInputName, 0}, "the scene is in space (dimension 3); this works in the plane");
+    return std::get<Scene2>(std::move(scene));
+  }
   PassedOver passed_over;
-  Scene2 scene = read_scene_2(file, &passed_over);
+  Scene2 scene = read_scene_2(file, &passed_over, options.side());
   note_passed_over(passed_over, streams);
   return scene;
 }
@@ -113,7 +140,8 @@ void ElementOptions::apply_to(Scene3& scene) const { divide(scene, *this); }
 
 std::filesystem::path output_folder(const std::string& option, const std::string& scene) {
   if (option == "-") throw UsageError("results are several files: -o takes a folder, not standard output");
-  return option.empty() ? std::filesystem::path(scene).stem().string() + "-hottel" : option;
+  if (!option.empty()) return option;
+  return scene == kStandardInput ? "stdin-hottel" : std::filesystem::path(scene).stem().string() + "-hottel";
 }
 
 Rational number_of(const std::string& text, const std::string& option) {

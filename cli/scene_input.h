@@ -12,30 +12,43 @@
 #include "cli/streams.h"
 #include "geometry/plane/scene/scene.h"
 #include "geometry/space/scene/triangulator.h"
+#include "io/scene/plane/map_defaults.h"
 #include "io/scene/scene_json.h"
 #include "io/scene/space/vs3_reader.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
 
-// --triangulate: polygons that are not plane become triangles, instead of being refused.
+// How polygons are read. --triangulate: those in space that are not plane become triangles, instead of being refused.
+// --front: those of a map are rooms, or buildings.
 struct PolygonOptions {
   bool triangulates = false;
+  std::string front = "inside";
 
-  // Adds the option to the command line of a command. REQUIRES that this outlives the command.
+  MapSide2 side() const { return front == "outside" ? MapSide2::kOutside : MapSide2::kInside; }
+
+  // Adds both to the command line of a command. REQUIRES that this outlives the command.
   void add_to(CLI::App& command);
+  // The second alone.
+  void add_front_to(CLI::App& command);
+  // Throws UsageError for --front outside of a file that is no map.
+  void require_sense_for(const std::string& file) const;
 };
 
-// Returns the scene of a file, as read_scene does, and tells what of a deck of View3D is read otherwise than View3D
-// does, what was passed over in a map or a mesh, and which polygons were cut into triangles. Throws UsageError where a
-// scene in the plane is to have them cut. Those who obey what a deck asks of the output take that; else it is told that
-// they do not.
+// What a command is told where it shall read a scene from standard input, and how messages call that.
+inline constexpr const char* kStandardInput = "-";
+inline constexpr const char* kStandardInputName = "standard input";
+
+// Returns the scene of a file, or of standard input for "-", as read_scene does, and tells what of a deck of View3D is
+// read otherwise than View3D does, what was passed over in a map or a mesh, and which polygons were cut into triangles.
+// Throws UsageError where a scene in the plane is to have them cut, and for --front outside of what is no map. Those
+// who obey what a deck asks of the output take that; else it is told that they do not.
 Scene read_scene_noting(const std::string& file, const PolygonOptions& options, const Streams& streams,
                         DeckOutput3* output = nullptr);
 // The same for those who can use a scene in space only.
 Scene3 read_scene_noting_3(const std::string& file, const PolygonOptions& options, const Streams& streams);
 // The same for those who can use a scene in the plane only.
-Scene2 read_scene_noting_2(const std::string& file, const Streams& streams);
+Scene2 read_scene_noting_2(const std::string& file, const PolygonOptions& options, const Streams& streams);
 // Tells what was passed over, if anything was.
 void note_passed_over(const PassedOver& passed_over, const Streams& streams);
 // Tells which polygons were cut, if any were.
@@ -56,8 +69,9 @@ struct ElementOptions {
   void apply_to(Scene3& scene) const;
 };
 
-// The folder of an option -o: `option`, or ./STEM-hottel for a scene STEM.json, wherever that scene lies. Throws
-// UsageError for "-": results of several files do not go to standard output.
+// The folder of an option -o: `option`, or ./STEM-hottel for a scene STEM.json, wherever that scene lies
+// (./stdin-hottel for standard input). Throws UsageError for "-": results of several files do not go to standard
+// output.
 std::filesystem::path output_folder(const std::string& option, const std::string& scene);
 
 // The number of an option. Throws UsageError, naming the option, for what parse_rational does not read.

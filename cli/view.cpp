@@ -33,6 +33,7 @@ struct ViewOptions {
   double scale = 1;
   std::optional<std::uint64_t> memory;
   ElementOptions elements;
+  PolygonOptions polygons;
 };
 
 FrameSize size_of(const ViewOptions& options) {
@@ -67,9 +68,9 @@ void require_look(const std::string& look, int count) {
 }
 
 // The desk of the scene, whatever its dimension. Its file is read, and may be read again.
-std::unique_ptr<Desk> desk_of(const ViewOptions& options, Window& window) {
+std::unique_ptr<Desk> desk_of(const ViewOptions& options, Window& window, const Streams& streams) {
   std::unique_ptr<Desk> desk;
-  Scene scene = read_scene(options.scene);
+  Scene scene = read_scene_noting(options.scene, options.polygons, streams);
   if (Scene3* const space = std::get_if<Scene3>(&scene)) {
     require_look<LookKind3>(options.look, kLooks3);
     // The scene that has been read is the first one.
@@ -94,7 +95,7 @@ std::unique_ptr<Desk> desk_of(const ViewOptions& options, Window& window) {
                        " is in the plane");
     require_room_for_solving(std::get<Scene2>(scene), options.memory);
     desk = std::make_unique<Desk2>(options.scene, window, SimulationRequest2{.memory = options.memory.value_or(0)},
-                                   options.scale, std::get<Scene2>(std::move(scene)));
+                                   options.scale, std::get<Scene2>(std::move(scene)), options.polygons.side());
   }
   desk->command("look " + options.look);
   return desk;
@@ -108,7 +109,7 @@ ExitCode play(const ViewOptions& options, Streams& streams) {
   const std::string name = options.script == "-" ? "standard input" : options.script;
   const std::vector<ScriptStep> steps = parse_script(text, name);
   RecordingWindow window(size_of(options));
-  const std::unique_ptr<Desk> desk = desk_of(options, window);
+  const std::unique_ptr<Desk> desk = desk_of(options, window, streams);
   std::optional<FrameFiles> frames;
   ScriptOutputs outputs{.print = [&streams](const std::string& line) { streams.write("", line + "\n"); }};
   if (!options.record.empty()) {
@@ -123,13 +124,15 @@ ExitCode play(const ViewOptions& options, Streams& streams) {
 }
 
 ExitCode view(const ViewOptions& options, Streams& streams) {
+  if (options.scene == kStandardInput)
+    throw UsageError("the window looks again whether its scene has changed: it takes a file, not standard input");
   if (!options.screenshot.empty() && picture_format(options.screenshot) != PictureFormat::kPng)
     throw UsageError("--screenshot writes a .png file, not '" + options.screenshot + "'");
   if (options.record == "-")
     throw UsageError("a recording is many files: --record takes a folder, not standard output");
   if (!options.script.empty() || !options.screenshot.empty() || !options.record.empty()) return play(options, streams);
   const std::unique_ptr<Window> window = open_window("hottel", size_of(options));
-  const std::unique_ptr<Desk> desk = desk_of(options, *window);
+  const std::unique_ptr<Desk> desk = desk_of(options, *window, streams);
   run_desk(*desk, *window, kSecondsBetweenLooks);
   return ExitCode::kDone;
 }
@@ -167,6 +170,7 @@ void add_view(Commands& commands) {
   command.add_option("--script", options->script, "do these steps, a line each")->type_name("FILE");
   command.add_option("--record", options->record, "write every frame as a PNG file into this folder")->type_name("DIR");
   options->elements.add_to(command);
+  options->polygons.add_front_to(command);
   command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
       ->type_name("BYTES")
       ->transform(whole_number(1));

@@ -36,7 +36,7 @@ namespace hottel {
 namespace {
 
 struct VisibilityOptions {
-  std::string scene, at, on, from, to, out, points, range, edge;
+  std::string scene, at, on, from, to, out, points, range, edge, side = "both";
   bool json = false, exact = false, irradiance = false, events = false, graph = false;
   PolygonOptions polygons;
 
@@ -53,7 +53,7 @@ Point2 point(const std::string& text) {
 // Whole faces: nothing here is asked of their elements.
 Simulation2 simulation_of(Scene2 scene) { return Simulation2(std::move(scene), {.granularity = Granularity::kFace}); }
 Simulation2 simulation_of(const VisibilityOptions& options, const Streams& streams) {
-  return simulation_of(read_scene_noting_2(options.scene, streams));
+  return simulation_of(read_scene_noting_2(options.scene, options.polygons, streams));
 }
 
 ShownAnswer from_point(const Simulation2& simulation, const PreparedScene2& prepared, const Point2& eye,
@@ -121,6 +121,7 @@ struct PolygonRequest {
   std::vector<Point2> points;
   PolygonFormat2 format = PolygonFormat2::kCsv;
   PolygonsOptions2 wanted;
+  PassedOver passed_over;
 };
 
 PolygonRequest polygon_request(const VisibilityOptions& options) {
@@ -134,12 +135,14 @@ PolygonRequest polygon_request(const VisibilityOptions& options) {
   if (options.exact && (is_wkt || is_npz)) throw UsageError("--exact writes p/q, which .csv and .geojson can hold");
   if (options.irradiance && is_wkt) throw UsageError("--irradiance has no place in .wkt");
   request.wanted.wants_exact = options.exact;
+  request.wanted.fronts_only = options.side == "front";
   if (!options.range.empty()) {
     request.wanted.range = number_of(options.range, "--range");
     if (*request.wanted.range <= 0) throw UsageError("--range is a distance above 0, not " + options.range);
   }
-  request.points = options.points == "-" ? read_points_2(read_standard_input(), "standard input")
-                                         : read_points_2(read_text_file(options.points), options.points);
+  request.points = options.points == "-"
+                       ? read_points_2(read_standard_input(), "standard input", &request.passed_over)
+                       : read_points_2(read_text_file(options.points), options.points, &request.passed_over);
   return request;
 }
 
@@ -209,6 +212,7 @@ void write_polygons(const PolygonRequest& request, const PreparedScene2& prepare
 
 ExitCode from_points(const VisibilityOptions& options, Streams& streams) {
   const PolygonRequest request = polygon_request(options);
+  note_passed_over(request.passed_over, streams);
   const Simulation2 simulation = simulation_of(options, streams);
   const auto prepared = simulation.prepared(streams.stages());
   std::optional<PointLights2> lights;
@@ -374,6 +378,11 @@ void add_visibility(Commands& commands) {
   points->excludes(at)->excludes(on)->excludes(from)->excludes(to)->excludes(json);
   command.add_option("--range", options->range, "with --points: nothing beyond this distance of the point")
       ->type_name("R")
+      ->needs(points);
+  command
+      .add_option("--side", options->side,
+                  "with --points: front, a point on an outline sees what its front sees; both (default), all around")
+      ->check(CLI::IsMember({"front", "both"}))
       ->needs(points);
   CLI::Option* exact =
       command.add_flag("--exact", options->exact, "with --points, --events or --graph: coordinates as p/q");

@@ -99,8 +99,8 @@ void refuse_lost_place(const Scene3& scene, const Arrangement3& arrangement, con
   const PlaneFrame3 frame(facet->points);
   const bool is_up = frame.is_front_up(facet->points) != face.is_back;
   if (const auto mesh = arrangement.solids().behind({&frame, frame.flat(look.eye), is_up}))
-    throw RequestError("'" + on + "' at " + at + " looks into the solid '" +
-                       scene.groups[arrangement.solids().meshes()[*mesh].group].name + "'");
+    throw RequestError("'" + on + "' at " + at + " looks into the solid '" + arrangement.solids().meshes()[*mesh].name +
+                       "'");
   throw RequestError("'" + on + "' at " + at + " is the place of another surface");
 }
 
@@ -121,8 +121,8 @@ ShownAnswer visibility_in_space(const Scene3& scene, const std::string& at, cons
     map = on_border.empty() ? with_owners(std::move(map), arrangement)
                             : outside_solids(std::move(map), arrangement, look.eye, on_border);
   }
-  VisibilityAnswer answer = solid ? answer_in_solid_3(look, scene.groups[solids.meshes()[*solid].group].name, what)
-                                  : map_answer(scene, solids, look, map, what);
+  VisibilityAnswer answer =
+      solid ? answer_in_solid_3(look, solids.meshes()[*solid].name, what) : map_answer(scene, solids, look, map, what);
   return {std::move(answer), [&scene, look, what, map = std::move(map)](PictureFormat format) {
             MapDrawing3 drawing = drawing_of(scene, look, map);
             drawing.title = "What is seen from " + what;

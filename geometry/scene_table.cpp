@@ -79,6 +79,13 @@ void validate_lights(const SceneTable& table) {
 
 }  // namespace
 
+FileLine place_of(const SceneTable& table, const Surface& surface) {
+  const MeshPlace& in_mesh = surface.in_mesh;
+  HOTTEL_REQUIRE(in_mesh.file <= table.sources.size());
+  if (in_mesh.file == 0) return {table.file, surface.line};
+  return {table.sources[in_mesh.file - 1], in_mesh.line};
+}
+
 void validate_table(const SceneTable& table) {
   validate_spectra(table);
   validate_lights(table);

@@ -19,6 +19,13 @@ namespace hottel {
 // The most elements that one surface may be divided into.
 inline constexpr std::uint32_t kMaxElements = 1'000'000;
 
+// Where a face of a mesh stands. It makes no surface another one: all are equal.
+struct MeshPlace {
+  std::uint32_t file = 0;  // SceneTable::sources[file - 1]; 0: it is no face of a mesh
+  int line = 0;            // 0 in a binary file
+  friend bool operator==(const MeshPlace&, const MeshPlace&) { return true; }
+};
+
 // One edge (in the plane) or polygon (in space) of the input, but for its points. A back without a material is opaque
 // and black and makes no claim on an overlap.
 struct Surface {
@@ -27,10 +34,11 @@ struct Surface {
   std::optional<std::uint32_t> back;  // of the back
   std::uint32_t elements = 1;         // equal parts it is divided into
   std::uint32_t group = 0;            // index into SceneTable::groups
-  int line = 0;                       // where it stands in the file, 0 if nowhere
+  int line = 0;                       // where it stands in the file, 0 if nowhere; of a face where its mesh does
   // In space only: it has no material at all. Both sides are opaque and black and have no row; `material` means
   // nothing.
   bool is_obstruction = false;
+  MeshPlace in_mesh{};  // of a face of a mesh
   // Elements below the equal parts. No file has any: they come of what is simulated.
   SurfaceTrees trees{};
 
@@ -38,7 +46,7 @@ struct Surface {
   // Whether two are one but for how they are divided; are divided alike.
   static bool is_alike_undivided(const Surface& a, const Surface& b) {
     return a.name == b.name && a.material == b.material && a.back == b.back && a.group == b.group && a.line == b.line &&
-           a.is_obstruction == b.is_obstruction;
+           a.in_mesh.file == b.in_mesh.file && a.in_mesh.line == b.in_mesh.line && a.is_obstruction == b.is_obstruction;
   }
   static bool is_divided_alike(const Surface& a, const Surface& b) {
     return a.elements == b.elements && a.trees == b.trees;
@@ -60,10 +68,12 @@ enum class Behind : unsigned char {
 };
 
 // A surface of its own, or those of one polyline or mesh. It has a name and says what is behind its backs; its
-// surfaces name it by their `group`.
+// surfaces name it by their `group`. In space groups may be of one body, by its name: where none of them closes alone,
+// they are asked together whether they do.
 struct Group {
   std::string name;
   Behind behind = Behind::kByOutline;
+  std::string body{};  // empty: none
 
   Group(std::string n, Behind b = Behind::kByOutline) : name(std::move(n)), behind(b) {}
   Group(const char* n) : name(n) {}
@@ -90,7 +100,8 @@ struct Expectation {
 //   (2) every material and group index is valid; an obstruction has no material, on either side
 //   (3) the unit is a name and nothing more: no number is converted (unit_problem)
 struct SceneTable {
-  std::string file;  // for messages; may be a description when the scene was not read from a file
+  std::string file;                  // for messages; may be a description when the scene was not read from a file
+  std::vector<std::string> sources;  // files of meshes that surfaces stand in, and what these name: it was read too
   std::string about;
   std::vector<Material> materials;
   std::vector<Surface> surfaces;  // in the order of the file
@@ -106,6 +117,9 @@ struct SceneTable {
   // Returns the index of the first surface of exactly that name, or nothing. COST: linear.
   std::optional<std::uint32_t> find(const std::string& name) const;
 };
+
+// Returns where a surface stands, for messages: a face of a mesh in the file of that.
+FileLine place_of(const SceneTable& table, const Surface& surface);
 
 // The most bytes that the name of a unit may have.
 inline constexpr std::size_t kMaxUnitLength = 16;

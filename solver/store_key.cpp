@@ -24,6 +24,7 @@ void StoreKey::add_table(const SceneTable& scene) {
   for (const Group& group : scene.groups) {
     add(group.name);
     add_count(static_cast<std::uint64_t>(group.behind));
+    if (!group.body.empty()) add(group.body);
   }
   add_count(scene.surfaces.size());
   for (const Surface& surface : scene.surfaces) {

@@ -36,7 +36,8 @@ std::string read_text_file(const std::filesystem::path& file) {
   const auto refuse = [&](const std::string& text) { throw InputError({file.string(), 0}, text); };
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
-  if (status.type() == std::filesystem::file_type::not_found) refuse("there is no such file");
+  if (status.type() == std::filesystem::file_type::not_found)
+    throw MissingFile({file.string(), 0}, "there is no such file");
   if (status.type() == std::filesystem::file_type::directory) refuse("is a directory, not a file");
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), &std::fclose);
   if (!stream) refuse(std::string("cannot be opened: ") + std::strerror(errno));
@@ -52,6 +53,8 @@ std::string read_named_file(const TextSource& files, const std::filesystem::path
                             const std::string& what) {
   try {
     return files(file);
+  } catch (const MissingFile& error) {
+    throw MissingFile(where, what + " " + error.what(), error.hints());
   } catch (const InputError& error) {
     throw InputError(where, what + " " + error.what(), error.hints());
   }

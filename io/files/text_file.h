@@ -13,11 +13,17 @@ namespace hottel {
 // The largest text that is read: line numbers and offsets stay within 31 bits.
 inline constexpr std::size_t kMaxTextFileBytes = 0x7fffffff;
 
-// Returns the bytes of a file. Throws InputError naming the file when it is missing, a directory, not readable, or
-// larger than kMaxTextFileBytes.
+// There is no such file.
+class MissingFile : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+// Returns the bytes of a file. Throws MissingFile when there is none, InputError naming the file when it is a
+// directory, not readable, or larger than kMaxTextFileBytes.
 std::string read_text_file(const std::filesystem::path& file);
 
-// Where readers get the files that a file names: read_text_file, or texts in memory.
+// Where readers get the files that a file names: read_text_file, or texts in memory. Throws as that does.
 using TextSource = std::function<std::string(const std::filesystem::path&)>;
 
 // Returns a file that another one names. Throws InputError at the place where it is named, naming both, when `files`

@@ -14,6 +14,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+std::string place_text(const FileLine& where) {
+  return where.file + (where.line > 0 ? fmt::format(":{}", where.line) : "");
+}
+
 std::string count_text(std::size_t count, const char* noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
@@ -43,8 +47,9 @@ std::string check_json(const std::vector<ReportedFinding>& findings, const Repai
     for (const std::string& name : finding.surfaces) entry["surfaces"].push_back(name);
     entry["at"] = nullptr;
     if (!finding.at.empty()) entry["at"] = finding.at;
+    if (finding.is_in_mesh) entry["file"] = finding.where.file;
     entry["line"] = nullptr;
-    if (finding.line > 0) entry["line"] = finding.line;
+    if (finding.where.line > 0) entry["line"] = finding.where.line;
     entry["message"] = finding.message;
     entry["suggestion"] = finding.suggestion;
     list.push_back(std::move(entry));
@@ -55,14 +60,13 @@ std::string check_json(const std::vector<ReportedFinding>& findings, const Repai
   return report.dump(2) + "\n";
 }
 
-std::string findings_text(const std::string& file, const std::vector<ReportedFinding>& findings, std::size_t most) {
+std::string findings_text(const std::vector<ReportedFinding>& findings, std::size_t most) {
   std::string text;
   std::map<std::string, std::size_t> of_kind;
   for (const ReportedFinding& finding : findings) {
     if (++of_kind[finding.kind] > most) continue;
-    text += fmt::format("{}{}: {}: {}{}: {}\n", file, finding.line > 0 ? fmt::format(":{}", finding.line) : "",
-                        to_string(finding.severity), finding.kind, finding.at.empty() ? "" : " at " + finding.place,
-                        finding.message);
+    text += fmt::format("{}: {}: {}{}: {}\n", place_text(finding.where), to_string(finding.severity), finding.kind,
+                        finding.at.empty() ? "" : " at " + finding.place, finding.message);
     if (!finding.suggestion.empty()) text += "  " + finding.suggestion + "\n";
   }
   for (const auto& [kind, number] : of_kind)
@@ -76,21 +80,19 @@ std::string finding_note(Severity severity, const std::string& kind, const std::
                      suggestion.empty() ? "" : " (" + suggestion + ")");
 }
 
-std::string check_text(const std::string& file, const std::vector<ReportedFinding>& findings, std::size_t most) {
+std::string check_text(const std::vector<ReportedFinding>& findings, std::size_t most) {
   std::size_t count[3] = {0, 0, 0};
   for (const ReportedFinding& finding : findings) ++count[static_cast<int>(finding.severity)];
-  return findings_text(file, findings, most) + fmt::format("{}, {}, {}\n", count_text(count[0], "error"),
-                                                           count_text(count[1], "warning"),
-                                                           count_text(count[2], "note"));
+  return findings_text(findings, most) + fmt::format("{}, {}, {}\n", count_text(count[0], "error"),
+                                                     count_text(count[1], "warning"), count_text(count[2], "note"));
 }
 
 std::string repair_text(const SceneTable& scene, const RepairReport& repair) {
   std::string text;
   for (const RepairStep& step : *repair.steps) {
     const auto surface = scene.find(step.surface);
-    const int line = surface ? scene.surfaces[*surface].line : 0;
-    text +=
-        fmt::format("{}{}: {}: {}\n", scene.file, line > 0 ? fmt::format(":{}", line) : "", step.kind, step.message);
+    const FileLine where = surface ? place_of(scene, scene.surfaces[*surface]) : FileLine{scene.file};
+    text += fmt::format("{}: {}: {}\n", place_text(where), step.kind, step.message);
   }
   if (repair.steps->empty()) text += scene.file + ": there was nothing to repair\n";
   if (repair.changes == nullptr) return text;

@@ -28,7 +28,7 @@ ObjStatements::ObjStatements(std::string_view text, std::string file) : text_(te
                      {"save it as UTF-8 without a byte order mark"});
 }
 
-std::string_view ObjStatements::next_line() {
+ObjStatements::Line ObjStatements::next_line() {
   const std::size_t end = std::min(text_.find_first_of("\r\n"), text_.size());
   const std::string_view line = text_.substr(0, end);
   text_.remove_prefix(end);
@@ -38,26 +38,32 @@ std::string_view ObjStatements::next_line() {
     line_ = lines_read_;
     refuse("the line has a NUL byte: this is no text");
   }
-  return without_comment(line);
+  return {line, without_comment(line)};
 }
 
 bool ObjStatements::next() {
   while (!text_.empty()) {
     line_ = lines_read_ + 1;
-    std::string_view statement = next_line();
+    auto [raw, statement] = next_line();
     if (statement.ends_with('\\')) {
       joined_ = statement;
+      raw_joined_ = raw;
       while (joined_.ends_with('\\')) {
-        joined_.back() = ' ';
-        if (!text_.empty()) joined_ += next_line();
+        joined_.back() = raw_joined_.back() = ' ';
+        if (text_.empty()) break;
+        const Line next = next_line();
+        joined_ += next.statement;
+        raw_joined_ += next.raw;
       }
       statement = joined_;
+      raw = raw_joined_;
     }
     statement = trimmed(statement, kBlanks);
     if (statement.empty()) continue;
     const std::size_t end = std::min(statement.find_first_of(kBlanks), statement.size());
     keyword_ = statement.substr(0, end);
     rest_ = trimmed(statement.substr(end), kBlanks);
+    raw_rest_ = trimmed(trimmed(raw, kBlanks).substr(end), kBlanks);
     return true;
   }
   return false;

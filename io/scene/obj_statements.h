@@ -31,6 +31,8 @@ class ObjStatements {
   std::string_view keyword() const { return keyword_; }
   // All that follows the keyword.
   std::string_view rest() const { return rest_; }
+  // The same with its comment, as it is typed but for blanks around it.
+  std::string_view raw_rest() const { return raw_rest_; }
   // The words that follow the keyword.
   std::vector<std::string_view> words() const;
 
@@ -40,12 +42,16 @@ class ObjStatements {
   [[noreturn]] void refuse(const std::string& text, std::vector<std::string> hints = {}) const;
 
  private:
-  std::string_view next_line();
+  // A line of the text with its comment, and its part without.
+  struct Line {
+    std::string_view raw, statement;
+  };
+  Line next_line();
 
   std::string_view text_;
   std::string file_;
-  std::string joined_;  // a statement of several lines
-  std::string_view keyword_, rest_;
+  std::string joined_, raw_joined_;  // a statement of several lines
+  std::string_view keyword_, rest_, raw_rest_;
   int line_ = 0, lines_read_ = 0;
 };
 

@@ -11,6 +11,7 @@
 #include "geometry/space/scene/triangulator.h"
 #include "io/files/text_file.h"
 #include "io/scene/passed_over.h"
+#include "io/scene/plane/map_defaults.h"
 
 namespace hottel {
 
@@ -18,18 +19,25 @@ namespace hottel {
 using Scene = std::variant<Scene2, Scene3>;
 
 // Returns the scene of a file: of JSON, in the plane or in space as its "dimension" says; of a map (.geojson, .wkt),
-// which is in the plane; or of a mesh (mesh_format_3) or a deck of View3D (.vs3), which are in space. Polygons that are
-// not plane are refused, or cut by the triangulator. What is passed over in maps and meshes is counted.
+// its polygons seen from `side`, or a drawing (.svg), which are in the plane; or of a mesh (mesh_format_3) or a deck of
+// View3D (.vs3), which are in space. Polygons that are not plane are refused, or cut by the triangulator. What is
+// passed over in maps, drawings and meshes is counted.
 //
 //   (1) every number has exactly the value that is typed; validate(scene) holds
 //   (2) surfaces are in the order of the file: edges, then the pieces of polylines; or polygons, then faces of meshes
 //   (3) Surface::line is the line of the edge, of the first point of the piece, of the polygon, or of the mesh that has
-//       the face
+//       the face, whose own place is Surface::in_mesh
 //
 // Throws InputError with file, line and surface for everything that docs/scene_format.md does not allow, unknown and
 // duplicate keys included: nothing else is ignored.                      COST: linear; 10^6 edges take about 5 s.
 Scene read_scene(const std::filesystem::path& file, Triangulator3* triangulator = nullptr,
-                 PassedOver* passed_over = nullptr);
+                 PassedOver* passed_over = nullptr, MapSide2 side = MapSide2::kInside);
+
+// The same for a text that comes without a name, and so without an ending: JSON; GeoJSON, which is no scene but has a
+// "type"; a drawing, which begins with '<'; a mesh that begins with solid, ply or OFF; or well-known text.
+Scene parse_any_scene(std::string_view text, const std::string& name_for_messages,
+                      Triangulator3* triangulator = nullptr, PassedOver* passed_over = nullptr,
+                      MapSide2 side = MapSide2::kInside);
 
 // The same for a JSON text in memory. Files that it names are found relative to the folder of name_for_messages, and
 // come from `files`.
@@ -38,7 +46,8 @@ Scene parse_scene(std::string_view text, const std::string& name_for_messages,
 
 // The same for those who can use a scene in the plane only, or in space only: others are refused before their surfaces
 // are read.
-Scene2 read_scene_2(const std::filesystem::path& file, PassedOver* passed_over = nullptr);
+Scene2 read_scene_2(const std::filesystem::path& file, PassedOver* passed_over = nullptr,
+                    MapSide2 side = MapSide2::kInside);
 Scene2 parse_scene_2(std::string_view text, const std::string& name_for_messages);
 Scene3 read_scene_3(const std::filesystem::path& file, Triangulator3* triangulator = nullptr,
                     PassedOver* passed_over = nullptr);

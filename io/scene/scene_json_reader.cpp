@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cctype>
 #include <optional>
 
 #include "geometry/name.h"
@@ -5,6 +7,7 @@
 #include "io/scene/json_fields.h"
 #include "io/scene/plane/map_reader.h"
 #include "io/scene/plane/scene_reader.h"
+#include "io/scene/plane/svg_reader.h"
 #include "io/scene/scene_json.h"
 #include "io/scene/space/mesh_reader.h"
 #include "io/scene/space/scene_reader.h"
@@ -54,17 +57,54 @@ Scene parse(std::string_view text, const std::string& name, const TextSource& fi
   return read_document_3(root, name, files, triangulator, passed_over);
 }
 
-Scene read(const std::filesystem::path& file, std::optional<int> wanted, Triangulator3* triangulator = nullptr,
-           PassedOver* passed_over = nullptr) {
+// How a file is read, and what is wanted of it.
+struct Reading {
+  std::optional<int> wanted;  // dimension
+  Triangulator3* triangulator = nullptr;
+  PassedOver* passed_over = nullptr;
+  MapSide2 side = MapSide2::kInside;
+};
+
+void require_plane(const Reading& reading, const std::string& name) {
+  if (reading.wanted == 3) throw InputError({name, 0}, kInSpaceOnly);
+}
+void require_space(const Reading& reading, const std::string& name) {
+  if (reading.wanted == 2) throw InputError({name, 0}, kInThePlaneOnly, {kDoneInSpace});
+}
+
+Scene read(const std::filesystem::path& file, const Reading& reading) {
   const std::string name = file.string();
-  if (is_map_2(file)) {
-    if (wanted == 3) throw InputError({name, 0}, kInSpaceOnly);
-    return read_map_2(file, MapSide2::kInside, passed_over);
+  if (is_map_2(file) || is_svg_2(file)) {
+    require_plane(reading, name);
+    return is_svg_2(file) ? read_svg_2(file, reading.passed_over) : read_map_2(file, reading.side, reading.passed_over);
   }
   if (!is_vs3(file) && !mesh_format_3(file))
-    return parse(read_text_file(file), name, read_text_file, wanted, triangulator, passed_over);
-  if (wanted == 2) throw InputError({name, 0}, kInThePlaneOnly, {kDoneInSpace});
-  return is_vs3(file) ? read_vs3_3(file, triangulator).scene : read_mesh_scene_3(file, triangulator, passed_over).scene;
+    return parse(read_text_file(file), name, read_text_file, reading.wanted, reading.triangulator, reading.passed_over);
+  require_space(reading, name);
+  return is_vs3(file) ? read_vs3_3(file, reading.triangulator).scene
+                      : read_mesh_scene_3(file, reading.triangulator, reading.passed_over).scene;
+}
+
+// The format of a mesh that begins with a word of its own.
+std::optional<MeshFormat3> mesh_format_of(std::string_view start) {
+  if (start.starts_with("solid") && start.substr(0, 4096).find("facet") != std::string_view::npos)
+    return MeshFormat3::kStl;
+  if (start.starts_with("ply")) return MeshFormat3::kPly;
+  if (start.substr(0, 8).find("OFF") != std::string_view::npos) return MeshFormat3::kOff;
+  return std::nullopt;
+}
+
+// Whether an object of JSON is no scene, but has a "type".
+bool is_geojson(std::string_view text, const std::string& name) {
+  const JsonDocument document(text, name);
+  const JsonValue root = document.root();
+  if (root.kind() != JsonKind::kObject) return false;
+  bool has_type = false, has_version = false;
+  for (const auto [key, value] : root.members()) {
+    has_type |= key.text() == "type";
+    has_version |= key.text() == "hottel";
+  }
+  return has_type && !has_version;
 }
 
 }  // namespace
@@ -73,12 +113,25 @@ Scene parse_scene(std::string_view text, const std::string& name_for_messages, c
   return parse(text, name_for_messages, files, std::nullopt);
 }
 
-Scene read_scene(const std::filesystem::path& file, Triangulator3* triangulator, PassedOver* passed_over) {
-  return read(file, std::nullopt, triangulator, passed_over);
+Scene read_scene(const std::filesystem::path& file, Triangulator3* triangulator, PassedOver* passed_over,
+                 MapSide2 side) {
+  return read(file, {std::nullopt, triangulator, passed_over, side});
 }
 
-Scene2 read_scene_2(const std::filesystem::path& file, PassedOver* passed_over) {
-  return std::get<Scene2>(read(file, 2, nullptr, passed_over));
+Scene parse_any_scene(std::string_view text, const std::string& name_for_messages, Triangulator3* triangulator,
+                      PassedOver* passed_over, MapSide2 side) {
+  const std::string_view start = text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  if (start.starts_with('<')) return parse_svg_2(text, name_for_messages, passed_over);
+  if (const auto format = mesh_format_of(start))
+    return scene_of(parse_mesh_3(*format, text, name_for_messages), triangulator, passed_over).scene;
+  const bool is_word = !start.empty() && std::isalpha(static_cast<unsigned char>(start.front())) != 0;
+  if (is_word || (start.starts_with('{') && is_geojson(text, name_for_messages)))
+    return parse_map_2(text, name_for_messages, side, passed_over);
+  return parse(text, name_for_messages, read_text_file, std::nullopt, triangulator, passed_over);
+}
+
+Scene2 read_scene_2(const std::filesystem::path& file, PassedOver* passed_over, MapSide2 side) {
+  return std::get<Scene2>(read(file, {2, nullptr, passed_over, side}));
 }
 
 Scene2 parse_scene_2(std::string_view text, const std::string& name_for_messages) {
@@ -86,7 +139,7 @@ Scene2 parse_scene_2(std::string_view text, const std::string& name_for_messages
 }
 
 Scene3 read_scene_3(const std::filesystem::path& file, Triangulator3* triangulator, PassedOver* passed_over) {
-  return std::get<Scene3>(read(file, 3, triangulator, passed_over));
+  return std::get<Scene3>(read(file, {3, triangulator, passed_over}));
 }
 
 Scene3 parse_scene_3(std::string_view text, const std::string& name_for_messages, const TextSource& files) {

@@ -137,7 +137,7 @@ void write_polygons(const Scene3& scene, std::string& out) {
     std::string masks;
     if (mask != scene.masks.end() && mask->surface == s)
       masks = fmt::format(", \"masks\": {}", json_string(scene.surfaces[(mask++)->base].name));
-    const bool is_alone = members[surface.group] == 1 && group.name == surface.name;
+    const bool is_alone = members[surface.group] == 1 && group.name == surface.name && group.body.empty();
     block.add(fmt::format(
         "{{\"name\": {}, {}\"points\": {}, {}{}{}}}", json_string(surface.name),
         is_alone ? "" : fmt::format("\"group\": {}, ", json_string(group.name)), corners.text(scene.polygons[s].points),

@@ -209,6 +209,8 @@ std::string surface_members(const SceneTable& table, const Surface& surface) {
   if (surface.back) text += fmt::format(", \"back\": {}", json_string(table.materials[*surface.back].name));
   if (const Behind behind = table.groups[surface.group].behind; behind != Behind::kByOutline)
     text += behind == Behind::kSolid ? ", \"behind\": \"solid\"" : ", \"behind\": \"open\"";
+  if (const std::string& body = table.groups[surface.group].body; !body.empty())
+    text += ", \"body\": " + json_string(body);
   if (surface.elements != 1) text += fmt::format(", \"elements\": {}", surface.elements);
   return text;
 }

@@ -18,8 +18,9 @@ namespace {
 // At the line of the surface, where there is one.
 [[noreturn]] void refuse(const std::string& text, std::optional<std::uint32_t> element, const SceneTable& scene,
                          const ExchangeMatrix& matrix) {
-  const int line = element ? scene.surfaces[matrix.elements()[*element].surface].line : 0;
-  const std::string place = scene.file + (line > 0 ? ":" + std::to_string(line) : "");
+  const FileLine at =
+      element ? place_of(scene, scene.surfaces[matrix.elements()[*element].surface]) : FileLine{scene.file};
+  const std::string place = at.file + (at.line > 0 ? ":" + std::to_string(at.line) : "");
   throw RequestError(place.empty() ? text : place + ": " + text);
 }
 

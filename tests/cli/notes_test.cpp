@@ -33,11 +33,13 @@ TEST(Notes, TellHowManyRepeatedPointsAndEmptyGeometriesArePassedOver) {
                            "hottel visibility map.wkt --at 1,1", "hottel visibility map.wkt --events"}) {
     const Outcome outcome = place.run(line);
     EXPECT_EQ(outcome.code, 0) << line;
-    EXPECT_THAT(outcome.err, HasSubstr("1 repeated point and 1 empty geometry passed over\n")) << line;
+    EXPECT_THAT(outcome.err,
+                HasSubstr("1 repeated point passed over at map.wkt:1\n1 empty geometry passed over at map.wkt:1\n"))
+        << line;
   }
   for (const char* line :
        {"hottel convert room.obj room.json", "hottel check room.obj", "hottel convert plan.svg plan.json"})
-    EXPECT_THAT(place.run(line).err, HasSubstr("1 repeated point passed over\n")) << line;
+    EXPECT_THAT(place.run(line).err, HasSubstr("1 repeated point passed over: of ")) << line;
   EXPECT_THAT(place.run("hottel check room.json").err, Not(HasSubstr("passed over")));
 }
 

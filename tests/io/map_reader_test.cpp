@@ -108,16 +108,35 @@ TEST(MapReader, RefusesRingsThatCrossThemselvesSayingWhere_6) {
 TEST(MapReader, PassesOverRepeatedPointsAndEmptyGeometriesAndCountsThem_7) {
   const std::string plain = write_scene_2(parse("POLYGON ((0 0, 4 0, 4 3, 0 3, 0 0)) LINESTRING (5 5, 6 6)"));
   for (const auto& [text, note] : std::vector<std::pair<std::string, std::string>>{
-           {"POLYGON ((0 0, 4 0, 4 0, 4 3, 0 3, 0 0)) LINESTRING (5 5, 6 6)", "1 repeated point passed over"},
+           {"POLYGON ((0 0, 4 0, 4 0, 4 3, 0 3, 0 0)) LINESTRING (5 5, 6 6)", "1 repeated point passed over at map:1"},
            {"POLYGON ((0 0, 0 0, 4 0, 4 3, 0 3, 0 0, 0 0, 0 0), EMPTY) POLYGON EMPTY LINESTRING (5 5, 6 6, 12/2 6)",
-            "4 repeated points and 2 empty geometries passed over"},
-           {"MULTIPOLYGON (EMPTY, ((0 0, 4 0, 4 3, 0 3, 0 0))) LINESTRING (5 5, 6 6)", "1 empty geometry passed over"},
+            "4 repeated points passed over, the first at map:1\n2 empty geometries passed over, the first at map:1"},
+           {"MULTIPOLYGON (EMPTY, ((0 0, 4 0, 4 3, 0 3, 0 0))) LINESTRING (5 5, 6 6)",
+            "1 empty geometry passed over at map:1"},
            {R"({"type": "FeatureCollection", "features": [{"type": "Feature", "geometry": null},
                 {"type": "Feature", "geometry": {"type": "Polygon",
                  "coordinates": [[[0,0],[4,0],[4.0,0],[4,3],[0,3],[0,0]], []]}},
                 {"type": "LineString", "coordinates": []}, {"type": "MultiPolygon", "coordinates": [[]]},
                 {"type": "LineString", "coordinates": [[5,5],[5,5],[6,6]]}]})",
-            "2 repeated points and 4 empty geometries passed over"}}) {
+            "2 repeated points passed over, the first at map:3\n4 empty geometries passed over, the first at map:1"}}) {
+    PassedOver passed_over;
+    EXPECT_EQ(write_scene_2(parse_map_2(text, "map", MapSide2::kInside, &passed_over)), plain) << text;
+    EXPECT_EQ(passed_over.note(), note) << text;
+  }
+}
+
+TEST(MapReader, PassesOverHeightsPointsAndLinesWithoutLength_7) {
+  const std::string plain = write_scene_2(parse("POLYGON ((0 0, 4 0, 4 3, 0 0))"));
+  for (const auto& [text, note] : std::vector<std::pair<std::string, std::string>>{
+           {"POLYGON Z ((0 0 7, 4 0 7, 4 3 7, 0 0 7))", "4 third coordinates passed over, the first at map:1"},
+           {"POLYGONZM((0 0 7 1,4 0 7 1,4 3 7 1,0 0 7 1))", "4 third coordinates passed over, the first at map:1"},
+           {"POLYGON ((0 0, 4 0 7, 4 3, 0 0))", "1 third coordinate passed over at map:1"},
+           {"POLYGON ((0 0, 4 0, 4 3, 0 0))\nMULTIPOINT (1 1, (2 2)) POINT M (1 1 1)",
+            "3 points passed over, the first at map:2\n1 third coordinate passed over at map:2"},
+           {"LINESTRING (1 1, 1 1) POLYGON ((0 0, 4 0, 4 3, 0 0))", "1 line without length passed over at map:1"},
+           {R"({"type": "GeometryCollection", "geometries": [{"type": "Point", "coordinates": [1, 2]},
+                {"type": "Polygon", "coordinates": [[[0,0,1],[4,0,1],[4,3,1],[0,0,1]]]}]})",
+            "1 point passed over at map:1\n4 third coordinates passed over, the first at map:2"}}) {
     PassedOver passed_over;
     EXPECT_EQ(write_scene_2(parse_map_2(text, "map", MapSide2::kInside, &passed_over)), plain) << text;
     EXPECT_EQ(passed_over.note(), note) << text;
@@ -144,13 +163,14 @@ TEST(MapReader, RefusesWhatIsNoWallByItsLine_6) {
            {"POLYGON ((0 0, 4 0, 4 3))", "map:1: a ring of a polygon is not closed"},
            {"POLYGON ((0 0, 4 0,\n 0 0))", "map:1: a ring of a polygon has fewer than three corners"},
            {"POLYGON ((0 0, 1 1, 2 2, 0 0))", "map:1: a ring of a polygon has no area"},
-           {"POLYGON Z ((0 0 0, 1 1 1, 2 2 2, 0 0 0))", "Z is not understood"},
+           {"POLYGON Z ((0 0 0, 1 1 1, 2 2 2, 0 0 0))", "map:1: a ring of a polygon has no area"},
+           {"LINESTRING (0 0 1 2 3, 1 1)", "map:1: a position has more than 4 coordinates"},
            {"LINESTRING (0 0)", "map:1: a line has fewer than two points"},
            {"LINESTRING (0 0,\n0 0, 0 0)", "map:1: a line has no length"},
            {"POLYGON ((1 1, 1 1,\n1 1))", "map:1: a ring of a polygon has fewer than three corners"},
            {"POLYGON ((0 0, 4 0, 4 0,\n0 0, 0 0))", "map:1: a ring of a polygon has fewer than three corners"},
            {"\nLINEARRING (0 0, 1 1, 2 0)", "map:2: a LINEARRING is not closed"},
-           {"\nPOLYGONZ ((0 0, 1 1, 2 0, 0 0))", "map:2: 'POLYGONZ' is not understood"},
+           {"\nPOLYGONX ((0 0, 1 1, 2 0, 0 0))", "map:2: 'POLYGONX' is not understood"},
            {"SRID=x;POLYGON ((0 0, 1 1, 2 0, 0 0))", "map:1: a coordinate is not a number: 'x'"},
            {"SRID 4326;LINESTRING (0 0, 1 1)", "map:1: '=' is expected"},
            {"POLYGON (EMPTY,\n(0 0, 1 1, 2 0, 0 0))", "map:2: a polygon has a hole, and its outline is empty"},
@@ -160,8 +180,8 @@ TEST(MapReader, RefusesWhatIsNoWallByItsLine_6) {
            {"POLYGON EMPTY", "map: there is no line and no polygon in it"},
            {" ", "map: the file is empty"},
            {"{\"type\": \"Point\",\n \"coordinates\": [1, 2]}", "map:1: 'Point' has no walls"},
-           {"{\"type\": \"LineString\",\n \"coordinates\": [[1, 2],\n[3, 4, 5]]}",
-            "map:3: a position in the plane has two"},
+           {"{\"type\": \"LineString\",\n \"coordinates\": [[1, 2],\n[3]]}", "map:3: a position in the plane has two"},
+           {"{\"type\": \"LineString\",\n \"coordinates\": [[1, 2],\n[3, 4, null]]}", "map:3: a coordinate must be"},
            {R"({"type": "Feature", "geometry": null})", "map: there is no line and no polygon in it"},
            {R"({"type": "Feature", "properties": {"front": "left"}, "geometry": {"type": "LineString"}})",
             "front is 'left'"},

@@ -69,14 +69,13 @@ TEST(PointList, WhatIsNoPointIsRefusedWithItsLine) {
       {"1,1e5000", "points:1: a coordinate is not a number"},
       {"lon,lat\n1,2", "points:1: 'LON' is no list of points"},
       {"POINT (1 2)\nLINESTRING (1 2, 3 4)", "points:2: 'LINESTRING' is no list of points"},
-      {"POINT Z (1 2 3)", "points:1: a position in the plane has two coordinates"},
-      {"POINT (1 2 3)", "points:1: a position in the plane has two coordinates"},
+      {"POINT ZM (1 2 3 4 5)", "points:1: a position has more than 4 coordinates"},
       {"POINT (1\n2", "points:2: ')' is expected, not the end"},
       {"POINT (1)", "points:1: a coordinate is expected, not ')'"},
       {"POINT\n(1 x)", "points:2: a coordinate is not a number: 'x'"},
       {"SRID=4326;POINT(1 2)", "points:1: 'SRID' is no list of points"},
       {"{\"type\": \"Point\",\n\"coordinates\": [1]}", "points:2: a position in the plane has two coordinates, not 1"},
-      {"{\"type\": \"Point\", \"coordinates\": [1, 2, 3]}", "points:1: a position in the plane has two coordinates"},
+      {"{\"type\": \"Point\", \"coordinates\": [1, 2, 3, 4, 5]}", "points:1: a position in the plane has two"},
       {"{\"type\": \"Point\", \"coordinates\": [1, null]}", "points:1: a coordinate must be"},
       {"{\"type\": \"Polygon\", \"coordinates\": []}", "points:1: 'Polygon' is no list of points"},
       {"{\"type\": \"Feature\", \"geometry\": null}", "points:1: a feature has no place"},
@@ -89,6 +88,15 @@ TEST(PointList, WhatIsNoPointIsRefusedWithItsLine) {
   std::string nested;
   for (int k = 0; k < 100000; ++k) nested += "GEOMETRYCOLLECTION (";
   EXPECT_THAT(refusal(nested), HasSubstr("nested too deep"));
+}
+
+TEST(PointList, ThirdCoordinatesArePassedOver) {
+  for (const char* text : {"POINT Z (1 2 3)", "POINT (1 2 3)", "POINTZ(1 2 3)", "MULTIPOINT M ((1 2 3))",
+                           "{\"type\": \"Point\", \"coordinates\": [1, 2, 3]}"}) {
+    PassedOver passed_over;
+    EXPECT_EQ(read_points_2(text, "points", &passed_over), (std::vector<Point2>{{1, 2}})) << text;
+    EXPECT_EQ(passed_over.note(), "1 third coordinate passed over at points:1") << text;
+  }
 }
 
 }  // namespace

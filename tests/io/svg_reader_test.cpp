@@ -133,8 +133,26 @@ TEST(SvgReader, PassesOverPointsThatRepeatTheOneBeforeAndCountsThem) {
   PassedOver none, some;
   EXPECT_EQ(read("0 0 4 0 4 3", "M0 0 1 1 2 0Z", &none),
             read("0 0 4 0 4 0 4 3 0 0 0 0", "M0 0 0 0 1 1 l0 0 L2 0 0 0 0 0Z", &some));
-  EXPECT_EQ(none.repeated_points, 0u);
-  EXPECT_EQ(some.repeated_points, 5u);
+  EXPECT_EQ(none.note(), "");
+  EXPECT_EQ(some.note(), "5 repeated points passed over, the first of <polygon> at drawing.svg:1");
+}
+
+TEST(SvgReader, PassesOverLinesWithoutLengthUnlessNothingElseIsDrawn_5) {
+  PassedOver some;
+  const Scene2 drawn = parse_svg_2(
+      "<svg xmlns='http://www.w3.org/2000/svg'>\n<line id='dot' x1='1' x2='1'/>\n<line x2='1'/>"
+      "<polyline points='1 1 1 1'/></svg>",
+      "drawing.svg", &some);
+  ASSERT_EQ(drawn.surfaces.size(), 1u);
+  EXPECT_EQ(drawn.surfaces[0].name, "edge[1]");
+  EXPECT_EQ(some.note(), "2 lines without length passed over, the first <line id='dot'> at drawing.svg:2");
+}
+
+TEST(SvgReader, RefusesADrawingOfNothingButPoints_5) {
+  for (const char* element :
+       {"<path id='p' d='M1 1 1 1 1 1'/>", "<polygon points='1 1 1 1 1 1'/>", "<line x1='1' x2='1'/>"})
+    EXPECT_THAT(refusal(svg("\n" + std::string(element))),
+                MatchesRegex("plan.svg:3: <.*> has no length: all its points are the same"));
 }
 
 TEST(SvgReader, PassesOverWhatIsNeverDrawn) {
@@ -170,15 +188,12 @@ TEST(SvgReader, RefusesWhatItCannotReadExactlyAtItsLine) {
   expect_refusal("<path d='M1 1'/>", "has no lines");
   expect_refusal("<path d='M0 0 L1'/>", "no number where one is due");
   expect_refusal("<path d='M0 0 1 1 ,'/>", "no number where one is due");
-  expect_refusal("<path id='p' d='M1 1 1 1 1 1'/>", "has no length: all its points are the same");
-  expect_refusal("<polygon points='1 1 1 1 1 1'/>", "has no length: all its points are the same");
   expect_refusal("<polyline points='0 0 1'/>", "no number where one is due");
   expect_refusal("<polyline points='0 0'/>", "fewer than two points");
   expect_refusal("<line x2='1cm'/>", "has the unit 'cm'");
   expect_refusal("<line x2='50%'/>", "has the unit '%'");
   expect_refusal("<line x2='nan'/>", "no number");
   expect_refusal("<line x2='1e99999'/>", "too long");
-  expect_refusal("<line x1='1' x2='1'/>", "has no length: all its points are the same");
   expect_refusal("<rect width='1' height='0'/>", "no positive width and height");
   expect_refusal("<rect width='1' height='1' rx='.1'/>", "rounded corners");
   expect_refusal("<line x2='1' transform='rotate(45)'/>", "only multiples of 90 are exact");

@@ -41,7 +41,11 @@ awk -F, 'NR > 1 { if ($1 >= $2 || ($7 - sqrt(($5 - $3)^2 + ($6 - $4)^2))^2 > 1e-
 [ "$(wc -l < events.csv)" = "$(wc -l < graph.csv)" ] || fail "as many critical lines as pairs"
 "$program" factors coast.wkt --quiet | awk -F, '$2 == "sky" { exit 1 }' || fail "the sea is not closed"
 
-# What is no wall is refused by its line.
+# What is no wall is passed over and told with its line; where there is nothing else it is refused.
 printf 'LINESTRING (0 0, 1 0)\nPOINT (1 1)\n' > point.wkt
+"$program" factors point.wkt > point.csv 2> said || fail "a point beside a wall is refused"
+[ "$(grep -c polyline point.csv)" = 1 ] || fail "a point is taken as a wall"
+grep -q "1 point passed over at point.wkt:2" said || fail "a point is told as: $(cat said)"
+printf '\nPOINT (1 1)\n' > point.wkt
 if "$program" factors point.wkt 2> said; then fail "a point is taken as a wall"; fi
 grep -q "point.wkt:2: 'POINT' has no walls" said || fail "a point is refused as: $(cat said)"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <string>
 
 #include "geometry/name.h"
@@ -59,6 +58,15 @@ std::string suggestion(const Scene2& scene, std::uint32_t surface, const BehindR
                      names_text(scene, surfaces));
 }
 
+std::string loss_text(const Scene2& scene, const ExchangeMatrix& matrix, std::uint32_t surface, const Loss& loss) {
+  std::string text = fmt::format("the back of {} is black: there {} loses F = {} of its light",
+                                 quoted_name(scene.surfaces[surface].name),
+                                 quoted_name(matrix.elements()[loss.from].name), shortest(loss.factor));
+  if (loss.faces > 1) text += fmt::format(", the most of {} faces", loss.faces);
+  if (!sees_material(matrix, loss.from)) text += "; it sees no face with a material";
+  return text;
+}
+
 }  // namespace
 
 bool sees_black_backs_2(const ExchangeMatrix& matrix) {
@@ -72,25 +80,25 @@ BlackBacks2 black_backs(const PreparedScene2& prepared, const FreeRegions2& regi
                         const std::vector<char>& told) {
   const Scene2& scene = prepared.scene;
   const std::vector<Loss> losses = losses_by_surface(scene, matrix);
+  std::vector<std::vector<std::uint32_t>> lost(scene.groups.size());
   BlackBacks2 result;
-  std::optional<BehindRemedies2> remedies;
-  for (std::uint32_t s = 0; s < losses.size(); ++s) {
-    const auto& [from, factor, faces] = losses[s];
-    if (factor < 0 || told[s] != 0) continue;
-    if (!remedies) remedies.emplace(prepared, regions);
-    const Surface& surface = scene.surfaces[s];
-    std::string message =
-        fmt::format("the back of {} is black: there {} loses F = {} of its light", quoted_name(surface.name),
-                    quoted_name(matrix.elements()[from].name), shortest(factor));
-    if (faces > 1) message += fmt::format(", the most of {} faces", faces);
-    if (!sees_material(matrix, from)) message += "; it sees no face with a material";
-    result.findings.push_back({Severity::kWarning,
-                               "black-back",
-                               {s},
-                               middle(scene.edges[s]),
-                               std::move(message),
-                               suggestion(scene, s, remedies->of(s))});
-    result.surfaces.push_back(s);
+  for (std::uint32_t s = 0; s < losses.size(); ++s)
+    if (losses[s].factor >= 0 && told[s] == 0) {
+      lost[scene.surfaces[s].group].push_back(s);
+      result.surfaces.push_back(s);
+    }
+  if (result.surfaces.empty()) return result;
+  BehindRemedies2 remedies(prepared, regions);
+  for (std::vector<std::uint32_t>& surfaces : lost) {
+    if (surfaces.empty()) continue;
+    const std::uint32_t s = *std::max_element(surfaces.begin(), surfaces.end(),
+                                              [&](auto a, auto b) { return losses[a].factor < losses[b].factor; });
+    std::string message = loss_text(scene, matrix, s, losses[s]);
+    if (surfaces.size() > 1)
+      message += fmt::format("; so are {} more of {} that others see", surfaces.size() - 1,
+                             quoted_name(scene.groups[scene.surfaces[s].group].name));
+    result.findings.push_back({Severity::kWarning, "black-back", std::move(surfaces), middle(scene.edges[s]),
+                               std::move(message), suggestion(scene, s, remedies.of(s))});
   }
   return result;
 }

@@ -11,7 +11,7 @@
 
 namespace hottel {
 
-// Kind: black-back. A back without a material that a face with one sees, once a back, with the largest F that is lost
+// Kind: black-back. A back without a material that a face with one sees, once a group, with the largest F that is lost
 // there and the face that loses it. The remedy is "behind": "solid" where that would be accepted, else a "back"; where
 // faces would be covered wholly by it, both are said.
 //

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 
+#include "geometry/grey_temperature.h"
 #include "geometry/name.h"
 #include "geometry/plane/check/wording.h"
 
@@ -23,6 +25,18 @@ bool emits(const Scene2& scene, std::uint32_t material) { return !scene.material
 
 bool emits(const Scene2& scene, const Surface& surface) {
   return emits(scene, surface.material) || (surface.back && emits(scene, *surface.back));
+}
+
+// Whether a surface of the group has the temperature of a material, on either side.
+bool is_as_warm(const Scene2& scene, std::uint32_t group, std::uint32_t material) {
+  const std::optional<Rational> own = grey_temperature(scene.materials[material]);
+  if (!own) return false;
+  const std::vector<std::uint32_t> surfaces = surfaces_of(scene, group);
+  return std::any_of(surfaces.begin(), surfaces.end(), [&](std::uint32_t s) {
+    const Surface& surface = scene.surfaces[s];
+    return grey_temperature(scene.materials[surface.material]) == own ||
+           (surface.back && grey_temperature(scene.materials[*surface.back]) == own);
+  });
 }
 
 Finding2 filled_room(const Scene2& scene, std::uint32_t solid, const std::vector<std::uint32_t>& held) {
@@ -64,7 +78,8 @@ Findings2 solid_findings(const Scene2& scene, const FaceCover2& cover) {
     for (const bool is_back : {false, true}) {
       const std::uint32_t face = Face{s, is_back}.number();
       if ((is_back && !surface.back) || cover.has_area[face] != 0 || cover.covered_by[face] == Solids2::kNone) continue;
-      const bool is_lost = emits(scene, is_back ? *surface.back : surface.material);
+      const std::uint32_t material = is_back ? *surface.back : surface.material;
+      const bool is_lost = emits(scene, material) && !is_as_warm(scene, cover.covered_by[face], material);
       findings.push_back(
           {is_lost ? Severity::kWarning : Severity::kNote,
            "covered",

@@ -19,6 +19,7 @@ struct PreparedScene2;
 struct PolygonsOptions2 {
   bool wants_exact = false;                   // rational corners too: some µs each
   std::optional<Rational> range = {};         // nothing beyond this distance (polygon_within); corners are rounded only
+  bool fronts_only = false;                   // on an outline: what its fronts see (keep_fronts)
   std::function<void(double)> progress = {};  // of the fraction done, from any thread; may throw to stop
 };
 

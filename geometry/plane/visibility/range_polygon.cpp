@@ -61,7 +61,8 @@ class Cutter {
       for (const RangeCorner& corner : border.corners) add(corner);
       if (border.has_eye_after) add({polygon_.eye, {}, 0, kNoPiece});
     }
-    if (result.corners.empty()) add({{polygon_.eye.x + range_, polygon_.eye.y}, {}, 0, kRange});
+    if (result.corners.empty() && (polygon_.parts.empty() || !borders_.empty()))
+      add({{polygon_.eye.x + range_, polygon_.eye.y}, {}, 0, kRange});
     return result;
   }
 

@@ -2,6 +2,7 @@
 
 #include <atomic>
 
+#include "geometry/plane/visibility/front_sight.h"
 #include "geometry/plane/visibility/point_sight.h"
 #include "geometry/plane/visibility/range_polygon.h"
 #include "geometry/plane/visibility/solid_around.h"
@@ -39,7 +40,11 @@ void VisibilityPolygons2::look(const Point2& point, bool wants_exact, RoundedPol
 
 RoundedPolygon2 VisibilityPolygons2::of(const Point2& eye, const PolygonsOptions2& options) const {
   HOTTEL_REQUIRE(!options.range || !options.wants_exact);
-  if (options.range) return polygon_within(visibility_polygon(arrangement_, location_, eye), *options.range);
+  if (options.range || options.fronts_only) {
+    VisibilityPolygon2 polygon = visibility_polygon(arrangement_, location_, eye);
+    if (options.fronts_only) keep_fronts(arrangement_, polygon);
+    return options.range ? polygon_within(polygon, *options.range) : rounded_polygon(polygon, options.wants_exact);
+  }
   RoundedPolygon2 result;
   RoundingCounts2 counts;
   look(eye, options.wants_exact, result, counts);

@@ -202,7 +202,7 @@ class ClusterPieces {
     const auto material = [this](const Face& face) {
       return quoted_name(scene_.materials[*scene_.surfaces[face.surface].material_of(face.is_back)].name);
     };
-    throw InputError({scene_.file, scene_.surfaces[side.rival->surface].line},
+    throw InputError(place_of(scene_, scene_.surfaces[side.rival->surface]),
                      told(side.owner) + " and " + told(*side.rival) +
                          " claim the same side with different materials: they overlap around " + place_text(at),
                      {"materials " + material(side.owner) + " and " + material(*side.rival),
@@ -215,7 +215,7 @@ class ClusterPieces {
     const auto name = [this](std::uint32_t surface) { return quoted_name(scene_.surfaces[surface].name); };
     const auto [mask, other] = *wrong;
     const std::uint32_t told = other.value_or(mask.surface);
-    throw InputError({scene_.file, scene_.surfaces[told].line},
+    throw InputError(place_of(scene_, scene_.surfaces[told]),
                      other ? name(told) + " and " + name(mask.surface) + " mask the same place of " + name(mask.base) +
                                  ", around " + place_text(place())
                            : name(told) + " is not within " + name(mask.base) + ", which it masks: around " +

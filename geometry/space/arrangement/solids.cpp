@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 #include <span>
 #include <string>
 #include <tuple>
@@ -45,11 +47,9 @@ std::optional<Point3> open_end(const Scene3& scene, const std::vector<std::uint3
   return Point3{at(origin.x, open->x), at(origin.y, open->y), at(origin.z, open->z)};
 }
 
-[[noreturn]] void refuse(const Scene3& scene, std::uint32_t group, const std::string& why) {
-  int line = 0;
-  for (std::size_t s = scene.surfaces.size(); s-- > 0;)
-    if (scene.surfaces[s].group == group) line = scene.surfaces[s].line;
-  throw InputError({scene.file, line}, quoted_name(scene.groups[group].name) + " cannot be solid: " + why);
+[[noreturn]] void refuse(const Scene3& scene, const std::vector<std::uint32_t>& surfaces, const std::string& name,
+                         const std::string& why) {
+  throw InputError(place_of(scene, scene.surfaces[surfaces.front()]), quoted_name(name) + " cannot be solid: " + why);
 }
 
 std::vector<std::vector<Point3>> convex_parts(const Polygon3& polygon, const PlaneFrame3& frame,
@@ -271,7 +271,6 @@ Kind kind_of(const ClosedMesh3& mesh) {
 
 ClosedMesh3 mesh_of_polygons(const Scene3& scene, const std::vector<std::uint32_t>& surfaces) {
   ClosedMesh3 mesh;
-  mesh.group = scene.surfaces[surfaces.front()].group;
   for (const std::uint32_t s : surfaces)
     for (const Polygon3& polygon : facets_of(scene.polygons[s])) {
       const PlaneFrame3 frame(polygon.points);
@@ -308,31 +307,25 @@ bool ClosedMesh3::Box::meets(const Box& other) const {
   return true;
 }
 
-Solids3::Solids3(const Scene3& scene) {
-  std::vector<std::vector<std::uint32_t>> members(scene.groups.size());
-  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) members[scene.surfaces[s].group].push_back(s);
-  for (std::uint32_t g = 0; g < members.size(); ++g) {
-    const auto& surfaces = members[g];
-    const auto has_back = [&](std::uint32_t s) { return scene.surfaces[s].back.has_value(); };
-    const bool is_asked = scene.groups[g].behind == Behind::kSolid && !surfaces.empty();
-    if (std::any_of(surfaces.begin(), surfaces.end(), has_back)) {
-      if (is_asked) refuse(scene, g, "a back of it has a material");
-      continue;
-    }
-    if (scene.groups[g].behind == Behind::kOpen || (surfaces.size() < 4 && !is_asked)) continue;
-    if (const auto open = open_end(scene, surfaces)) {
-      if (is_asked)
-        refuse(scene, g, "its mesh is not closed: a side at " + place_text(*open) + " is the side of one face only");
-      continue;
-    }
-    meshes_.push_back(mesh_of_polygons(scene, surfaces));
-    meshes_.back().kind = kind_of(meshes_.back());
-    if (is_asked && meshes_.back().kind != Kind::kSolid)
-      refuse(scene, g,
-             meshes_.back().kind == Kind::kRoom ? "its fronts look inward: turn its faces round"
-                                                : "it winds around some points more than once, or both ways");
-    has_solid_ |= meshes_.back().kind == Kind::kSolid;
+// Polygons that may be a closed mesh.
+struct Solids3::Candidate {
+  std::string name;
+  std::vector<std::uint32_t> surfaces, groups;
+  Behind behind = Behind::kByOutline;
+};
+
+Solids3::Solids3(const Scene3& scene) : mesh_of_(scene.groups.size()) {
+  std::vector<Candidate> groups;
+  for (const Group& group : scene.groups)
+    groups.push_back({group.name, {}, {static_cast<std::uint32_t>(groups.size())}, group.behind});
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) groups[scene.surfaces[s].group].surfaces.push_back(s);
+  for (Candidate candidate : groups) {
+    // Of a group of a body it is known later what has to be solid.
+    if (!scene.groups[candidate.groups.front()].body.empty() && candidate.behind == Behind::kSolid)
+      candidate.behind = Behind::kByOutline;
+    add_if_closed(scene, candidate);
   }
+  add_bodies(scene, std::move(groups));
   rooms_in_.resize(meshes_.size());
   for (std::uint32_t m = 0; m < meshes_.size(); ++m)
     for (std::uint32_t r = 0; r < meshes_.size(); ++r) {
@@ -342,10 +335,74 @@ Solids3::Solids3(const Scene3& scene) {
     }
 }
 
+// Bodies of which no group closes alone; and groups of others that have to be solid, and are not.
+void Solids3::add_bodies(const Scene3& scene, std::vector<Candidate> groups) {
+  std::map<std::string, Candidate> bodies;
+  for (std::uint32_t g = 0; g < groups.size(); ++g) {
+    if (scene.groups[g].body.empty()) continue;
+    Candidate& body = bodies[scene.groups[g].body];
+    body.name = scene.groups[g].body;
+    body.surfaces.insert(body.surfaces.end(), groups[g].surfaces.begin(), groups[g].surfaces.end());
+    body.groups.push_back(g);
+    if (groups[g].behind != Behind::kByOutline && body.behind != Behind::kOpen) body.behind = groups[g].behind;
+  }
+  for (auto& [name, body] : bodies) {
+    const bool closes_apart =
+        std::any_of(body.groups.begin(), body.groups.end(), [&](std::uint32_t g) { return mesh_of_[g].has_value(); });
+    std::sort(body.surfaces.begin(), body.surfaces.end());
+    if (!closes_apart) {
+      add_if_closed(scene, body);
+      continue;
+    }
+    for (const std::uint32_t g : body.groups)
+      if (groups[g].behind == Behind::kSolid && !mesh_of_[g]) add_if_closed(scene, groups[g]);
+  }
+  std::vector<std::uint32_t> order(meshes_.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return meshes_[a].group < meshes_[b].group; });
+  std::vector<std::uint32_t> place(order.size());
+  std::vector<ClosedMesh3> sorted;
+  for (const std::uint32_t m : order) {
+    place[m] = static_cast<std::uint32_t>(sorted.size());
+    sorted.push_back(std::move(meshes_[m]));
+  }
+  meshes_ = std::move(sorted);
+  for (auto& mesh : mesh_of_)
+    if (mesh) mesh = place[*mesh];
+}
+
+// Refuses what has to be solid and is not.
+bool Solids3::add_if_closed(const Scene3& scene, const Candidate& candidate) {
+  const auto& surfaces = candidate.surfaces;
+  const auto has_back = [&](std::uint32_t s) { return scene.surfaces[s].back.has_value(); };
+  const bool is_asked = candidate.behind == Behind::kSolid && !surfaces.empty();
+  if (std::any_of(surfaces.begin(), surfaces.end(), has_back)) {
+    if (is_asked) refuse(scene, surfaces, candidate.name, "a back of it has a material");
+    return false;
+  }
+  if (candidate.behind == Behind::kOpen || (surfaces.size() < 4 && !is_asked)) return false;
+  if (const auto open = open_end(scene, surfaces)) {
+    if (is_asked)
+      refuse(scene, surfaces, candidate.name,
+             "its mesh is not closed: a side at " + place_text(*open) + " is the side of one face only");
+    return false;
+  }
+  ClosedMesh3 mesh = mesh_of_polygons(scene, surfaces);
+  mesh.group = candidate.groups.front();
+  mesh.name = candidate.name;
+  mesh.kind = kind_of(mesh);
+  if (is_asked && mesh.kind != Kind::kSolid)
+    refuse(scene, surfaces, candidate.name,
+           mesh.kind == Kind::kRoom ? "its fronts look inward: turn its faces round"
+                                    : "it winds around some points more than once, or both ways");
+  has_solid_ |= mesh.kind == Kind::kSolid;
+  for (const std::uint32_t g : candidate.groups) mesh_of_[g] = static_cast<std::uint32_t>(meshes_.size());
+  meshes_.push_back(std::move(mesh));
+  return true;
+}
+
 const ClosedMesh3* Solids3::mesh_of(std::uint32_t group) const {
-  const auto place = std::lower_bound(meshes_.begin(), meshes_.end(), group,
-                                      [](const ClosedMesh3& mesh, std::uint32_t g) { return mesh.group < g; });
-  return place != meshes_.end() && place->group == group ? &*place : nullptr;
+  return group < mesh_of_.size() && mesh_of_[group] ? &meshes_[*mesh_of_[group]] : nullptr;
 }
 
 FlatPoint3 Solids3::inner_point(const PlaneFrame3& frame, const std::vector<FlatPoint3>& polygon) const {

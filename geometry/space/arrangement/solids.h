@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/space/scene/plane_frame.h"
@@ -12,7 +13,8 @@
 
 namespace hottel {
 
-// A group of polygons that is a closed mesh: its outlines, each in its sense, cancel.
+// A group of polygons that is a closed mesh: its outlines, each in its sense, cancel. Or all groups of one body of
+// which none is.
 struct ClosedMesh3 {
   // kSolid:   winding numbers beside its faces are 0 and 1: fronts outward; it may touch itself
   // kRoom:    they are 0 and -1: fronts inward
@@ -37,7 +39,8 @@ struct ClosedMesh3 {
     Box box;
   };
 
-  std::uint32_t group = 0;
+  std::uint32_t group = 0;  // of a body the first
+  std::string name;         // of the group, or the body
   std::vector<Face> faces;
   Box box;
   Kind kind = Kind::kTangled;
@@ -55,7 +58,7 @@ struct PlaneSidePoint3 {
 // its points is outside.
 //
 //   (1) groups that have a back with a material, or say "behind": "open", make nothing solid
-//   (2) a group that says "behind": "solid" is of kind kSolid
+//   (2) a group that says "behind": "solid" is of kind kSolid, or its body is
 //   (3) exact: winding numbers are counted along rays, by rational numbers
 //
 // COST: linear in the faces of meshes for each point, less where boxes tell; n^2 boxes for n faces of one mesh.
@@ -67,7 +70,7 @@ class Solids3 {
 
   const std::vector<ClosedMesh3>& meshes() const { return meshes_; }
   bool is_empty() const { return !has_solid_; }
-  // The mesh of a group, or nothing.
+  // The mesh of a group, or of its body, or nothing.
   const ClosedMesh3* mesh_of(std::uint32_t group) const;
 
   // A point within a convex polygon of a plane, counter-clockwise, that no face of a mesh touches that is not in that
@@ -90,11 +93,15 @@ class Solids3 {
                    std::vector<FlatSegment3>& cuts) const;
 
  private:
+  struct Candidate;
+  bool add_if_closed(const Scene3& scene, const Candidate& candidate);
+  void add_bodies(const Scene3& scene, std::vector<Candidate> groups);
   template <class Beside>
   bool is_within(std::size_t mesh, const Beside& beside) const;
 
   std::vector<ClosedMesh3> meshes_;
-  std::vector<std::vector<std::uint32_t>> rooms_in_;  // by mesh
+  std::vector<std::optional<std::uint32_t>> mesh_of_;  // by group
+  std::vector<std::vector<std::uint32_t>> rooms_in_;   // by mesh
   bool has_solid_ = false;
 };
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "geometry/name.h"
@@ -57,6 +58,7 @@ class MeshFinder {
       : scene_(scene), ground_(scene.polygons), stretches_(find_edge_stretches(scene.polygons)) {}
 
   Meshes3 find() {
+    find_units();
     find_reversed();
     look_at_groups();
     find_bare();
@@ -64,9 +66,38 @@ class MeshFinder {
   }
 
  private:
-  std::uint32_t group_of(const EdgeUse3& use) const { return scene_.surfaces[use.surface].group; }
+  // The group that stands for that of a surface: its own, or the first of a body.
+  std::uint32_t unit_of(std::uint32_t surface) const { return unit_[scene_.surfaces[surface].group]; }
+  std::uint32_t group_of(const EdgeUse3& use) const { return unit_of(use.surface); }
   bool is_reversed(const EdgeUse3& use) const {
     return std::binary_search(meshes_.reversed.begin(), meshes_.reversed.end(), use.surface);
+  }
+
+  // Groups of a body of which none is closed are one.
+  void find_units() {
+    const std::size_t count = scene_.groups.size();
+    unit_.resize(count);
+    std::iota(unit_.begin(), unit_.end(), 0u);
+    std::map<std::string, Surfaces> bodies;
+    for (std::uint32_t g = 0; g < count; ++g)
+      if (!scene_.groups[g].body.empty()) bodies[scene_.groups[g].body].push_back(g);
+    if (bodies.empty()) return;
+    const std::vector<char> is_closed = closed_groups();
+    for (const auto& [name, groups] : bodies)
+      if (std::none_of(groups.begin(), groups.end(), [&](std::uint32_t g) { return is_closed[g] != 0; }))
+        for (const std::uint32_t g : groups) unit_[g] = groups.front();
+  }
+
+  std::vector<char> closed_groups() const {
+    std::vector<char> is_closed(scene_.groups.size(), 0);
+    for (const Surface& surface : scene_.surfaces) is_closed[surface.group] = 1;
+    for (const EdgeStretch3& stretch : stretches_) {
+      std::map<std::uint32_t, int> balance;
+      for (const EdgeUse3& use : stretch.uses) balance[group_of(use)] += use.is_reversed ? -1 : 1;
+      for (const auto& [group, sum] : balance)
+        if (sum != 0) is_closed[group] = 0;
+    }
+    return is_closed;
   }
 
   // Polygons whose edges are all in common with one other each, which has its front on the other side there, where
@@ -99,7 +130,7 @@ class MeshFinder {
     std::vector<std::vector<EdgeStretch3>> open(count);
     meshes_.is_closed.assign(count, 1);
     meshes_.is_room.assign(count, 0);
-    for (const Surface& surface : scene_.surfaces) ++polygons[surface.group];
+    for (const Surface& surface : scene_.surfaces) ++polygons[unit_[surface.group]];
     for (const EdgeStretch3& stretch : stretches_) {
       std::map<std::uint32_t, EdgeStretch3> by_group;
       for (const EdgeUse3& use : stretch.uses) {
@@ -123,12 +154,15 @@ class MeshFinder {
       if (polygons[group] == 0) meshes_.is_closed[group] = 0;
       if (polygons[group] < 3 || shared[group] <= open[group].size()) continue;
       std::erase_if(open[group], [&](const EdgeStretch3& edge) {
-        return ground_.carries({edge.from, edge.to},
-                               [&](std::uint32_t s) { return scene_.surfaces[s].group == group; });
+        return ground_.carries({edge.from, edge.to}, [&](std::uint32_t s) { return unit_of(s) == group; });
       });
       add_holes(group, std::move(open[group]));
     }
     find_rooms();
+    for (std::uint32_t group = 0; group < count; ++group) {
+      meshes_.is_closed[group] = meshes_.is_closed[unit_[group]];
+      meshes_.is_room[group] = meshes_.is_room[unit_[group]];
+    }
   }
 
   void tell_of(const EdgeStretch3& part, std::size_t forward) {
@@ -137,6 +171,12 @@ class MeshFinder {
     } else if (forward != 1 && !is_reversed(part.uses[0]) && !is_reversed(part.uses[1])) {
       meshes_.opposed.push_back(part);
     }
+  }
+
+  // Of a group, or of the body that it stands for.
+  std::string name_of(std::uint32_t unit) const {
+    const bool is_body = std::count(unit_.begin(), unit_.end(), unit) > 1;
+    return is_body ? scene_.groups[unit].body : scene_.groups[unit].name;
   }
 
   // Edges that have ends in common are of one hole.
@@ -156,7 +196,7 @@ class MeshFinder {
     std::map<std::size_t, std::size_t> hole;  // by root
     for (std::size_t k = 0; k < edges.size(); ++k) {
       const auto [place, is_new] = hole.try_emplace(root(k), meshes_.holes.size());
-      if (is_new) meshes_.holes.push_back({group, {}});
+      if (is_new) meshes_.holes.push_back({group, name_of(group), {}});
       meshes_.holes[place->second].edges.push_back(std::move(edges[k]));
     }
   }
@@ -167,7 +207,7 @@ class MeshFinder {
     const Point3& origin = scene_.polygons[0].points[0];
     std::vector<Rational> volume(scene_.groups.size());
     for (std::size_t s = 0; s < scene_.polygons.size(); ++s) {
-      const std::uint32_t group = scene_.surfaces[s].group;
+      const std::uint32_t group = unit_of(static_cast<std::uint32_t>(s));
       if (meshes_.is_closed[group] != 0)
         volume[group] += dot(doubled_area(scene_.polygons[s]), scene_.polygons[s].points[0] - origin);
     }
@@ -186,6 +226,7 @@ class MeshFinder {
   const Scene3& scene_;
   const Ground ground_;
   const std::vector<EdgeStretch3> stretches_;
+  std::vector<std::uint32_t> unit_;  // by group
   Meshes3 meshes_;
 };
 
@@ -198,9 +239,9 @@ Surfaces surfaces_of(const std::vector<EdgeStretch3>& edges) {
 
 std::string edge_text(const EdgeStretch3& edge) { return place_text(edge.from) + " to " + place_text(edge.to); }
 
-Finding3 hole_finding(const Scene3& scene, const Meshes3::Hole& hole) {
+Finding3 hole_finding(const Meshes3::Hole& hole) {
   const EdgeStretch3& first = hole.edges.front();
-  const std::string group = quoted_name(scene.groups[hole.group].name);
+  const std::string group = quoted_name(hole.name);
   std::string message =
       hole.edges.size() == 1
           ? fmt::format("{} is open along an edge, from {}", group, edge_text(first))
@@ -219,7 +260,7 @@ Meshes3 find_meshes(const Scene3& scene) { return MeshFinder(scene).find(); }
 
 Findings3 mesh_findings(const Scene3& scene, const Meshes3& meshes) {
   Findings3 findings;
-  for (const Meshes3::Hole& hole : meshes.holes) findings.push_back(hole_finding(scene, hole));
+  for (const Meshes3::Hole& hole : meshes.holes) findings.push_back(hole_finding(hole));
   for (const std::uint32_t s : meshes.reversed)
     findings.push_back({Severity::kWarning,
                         "upside-down",

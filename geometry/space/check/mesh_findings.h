@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/space/check/edge_stretches.h"
@@ -13,8 +15,15 @@ namespace hottel {
 struct Meshes3 {
   // A hole: edges that no other polygon of the group has, joined to each other, and that lie on nothing.
   struct Hole {
-    std::uint32_t group = 0;
+    std::uint32_t group = 0;  // of a body the first
+    std::string name;         // of the group, or the body
     std::vector<EdgeStretch3> edges;
+  };
+  // Where light leaves: "an edge of 'a' from (0, 0, 0) to (1, 0, 0) lies on nothing".
+  struct Gap {
+    Point3 at;
+    double width = 0;
+    std::string text{};
   };
   std::vector<Hole> holes;
   std::vector<EdgeStretch3> crowded;     // edges of a group that more than two of its polygons have
@@ -24,6 +33,7 @@ struct Meshes3 {
   std::vector<char> is_closed, is_room;  // by group: each edge is used as often in one direction as in the other; and
                                          // its fronts look inward
   std::vector<EdgeStretch3> bare;        // edges of one polygon of the scene that lie on nothing else
+  std::optional<Gap> leak;               // where light leaves through; not told by find_meshes
 };
 
 // Looks at the edges of a scene, T-junctions and all. Exact.
@@ -32,6 +42,8 @@ struct Meshes3 {
 //       sheet that stands free has them, a box without a bottom on a floor has none
 //   (2) an edge lies on something when polygons of others cover all of it
 //   (3) reversing all polygons that are `reversed` leaves none
+//
+//   (4) groups of one body of which none is closed are looked at as one
 //
 // COST: O(n log n), and exact arithmetic for edges of one polygon and what their boxes meet.
 Meshes3 find_meshes(const Scene3& scene);

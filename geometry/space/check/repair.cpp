@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include "geometry/harmless_repair.h"
 #include "geometry/space/check/contact_findings.h"
 #include "geometry/space/check/gap_closer.h"
 #include "geometry/space/check/mesh_findings.h"
+#include "geometry/space/check/shells.h"
+#include "geometry/space/contacts/polygon_places.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -21,6 +24,50 @@ Findings3 shape_and_contacts(const Scene3& scene) {
   for (Findings3 more : {shape_findings(scene), mesh_findings(scene, find_meshes(scene))})
     std::move(more.begin(), more.end(), std::back_inserter(findings));
   return findings;
+}
+
+bool precedes_in_space(const Point3& a, const Point3& b) { return precedes(a, b); }
+
+struct LoopOrder {
+  bool operator()(const std::vector<Point3>& a, const std::vector<Point3>& b) const {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), precedes_in_space);
+  }
+};
+
+// The same loop, from its least corner on.
+std::vector<Point3> loop_from_least(std::vector<Point3> loop) {
+  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end(), precedes_in_space), loop.end());
+  return loop;
+}
+
+// Whether two polygons with the same outline are one but for their names.
+bool is_alike(const Scene3& scene, std::uint32_t s, std::uint32_t t) {
+  const Surface &a = scene.surfaces[s], &b = scene.surfaces[t];
+  return scene.polygons[s].holes == scene.polygons[t].holes && a.is_obstruction == b.is_obstruction &&
+         a.material == b.material && a.back == b.back;
+}
+
+// Takes away surfaces for which `keep` is false; those are no masks or bases.
+template <class Keep>
+void keep_if(Repair3& repair, const Keep& keep) {
+  Scene3& scene = repair.scene;
+  std::vector<std::uint32_t> place(scene.surfaces.size());
+  std::vector<std::string> names;
+  std::uint32_t count = 0;
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    place[s] = count;
+    if (!keep(s)) continue;
+    if (count != s) {
+      scene.surfaces[count] = std::move(scene.surfaces[s]);
+      scene.polygons[count] = std::move(scene.polygons[s]);
+    }
+    names.push_back(repair.former_names[s]);
+    ++count;
+  }
+  scene.surfaces.resize(count);
+  scene.polygons.resize(count);
+  repair.former_names = std::move(names);
+  for (Mask3& mask : scene.masks) mask = {place[mask.surface], place[mask.base]};
 }
 
 }  // namespace
@@ -55,6 +102,40 @@ void reverse_upside_down(Repair3& repair) {
                                         "those around it",
                                         quoted_name(surface.name))});
   }
+}
+
+void reverse_inside_out(Repair3& repair) {
+  Scene3& scene = repair.scene;
+  for (const Shell3& shell : inside_out_shells(scene)) {
+    if (!shell.may_be_body) continue;
+    for (const std::uint32_t s : shell.surfaces)
+      std::reverse(scene.polygons[s].points.begin() + 1, scene.polygons[s].points.end());
+    repair.steps.push_back({"reversed", scene.surfaces[shell.surfaces.front()].name,
+                            fmt::format("the points of {} polygons of {} go the other way round: they were closed with "
+                                        "their fronts inward, and nothing was in them",
+                                        shell.surfaces.size(), quoted_name(scene.groups[shell.group].name))});
+  }
+}
+
+void drop_doubles(Repair3& repair) {
+  Scene3& scene = repair.scene;
+  std::map<std::vector<Point3>, std::vector<std::uint32_t>, LoopOrder> first;
+  std::vector<char> is_double(scene.surfaces.size(), 0);
+  for (const Mask3& mask : scene.masks) is_double[mask.surface] = is_double[mask.base] = 2;  // never
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    if (is_double[s] != 0) continue;
+    std::vector<std::uint32_t>& same = first[loop_from_least(scene.polygons[s].points)];
+    const auto before = std::find_if(same.begin(), same.end(), [&](std::uint32_t t) { return is_alike(scene, s, t); });
+    if (before == same.end()) {
+      same.push_back(s);
+      continue;
+    }
+    is_double[s] = 1;
+    repair.steps.push_back({"dropped", scene.surfaces[s].name,
+                            fmt::format("{} is dropped: {} is the same", quoted_name(scene.surfaces[s].name),
+                                        quoted_name(scene.surfaces[*before].name))});
+  }
+  keep_if(repair, [&](std::uint32_t s) { return is_double[s] != 1; });
 }
 
 }  // namespace hottel

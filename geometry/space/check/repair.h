@@ -35,4 +35,11 @@ Repair3 close_gaps(const Scene3& scene, const Rational& distance);
 // Those with a material on the back stay as they are.
 void reverse_upside_down(Repair3& repair);
 
+// Reverses the closed parts of meshes that are inside out and may be bodies (Shell3), and adds a step for each.
+void reverse_inside_out(Repair3& repair);
+
+// Drops what another polygon, listed before, is as well: the same corners the same way round, and the same materials.
+// Adds a step for each.
+void drop_doubles(Repair3& repair);
+
 }  // namespace hottel

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "geometry/grey_temperature.h"
 #include "geometry/name.h"
 #include "geometry/space/check/wording.h"
 
@@ -28,6 +30,13 @@ struct Loss {
   double factor = -1;     // none so far
   std::size_t faces = 0;  // that lose any
 };
+
+// Whether two polygons lie in one plane, and the first has a point of it.
+bool lies_on(const Polygon3& polygon, const Polygon3& other, const Point3& at) {
+  const Vector3 normal = doubled_area(polygon);
+  const auto is_in_plane = [&](const Point3& p) { return dot(normal, p - polygon.points[0]) == 0; };
+  return is_in_plane(at) && std::all_of(other.points.begin(), other.points.end(), is_in_plane) && contains(polygon, at);
+}
 
 class SightTeller {
  public:
@@ -99,7 +108,10 @@ class SightTeller {
                                         : fmt::format("the fronts of {} see the sky, {} the most (F = {})",
                                                       names_text(scene_, surfaces), name(most), shortest(sky(most)));
     Point3 at = place(surfaces);
-    if (!meshes_.bare.empty()) {
+    if (meshes_.leak) {
+      at = meshes_.leak->at;
+      text += "; " + meshes_.leak->text;
+    } else if (!meshes_.bare.empty()) {
       const EdgeStretch3& edge = meshes_.bare.front();
       at = middle(edge.from, edge.to);
       text += fmt::format("; {} of {} from {} to {} lies on nothing", meshes_.bare.size() == 1 ? "the edge" : "an edge",
@@ -144,20 +156,35 @@ class SightTeller {
     }
   }
 
+  // Once a group, where most light is lost.
   void tell_black_backs() {
-    for (std::uint32_t s = 0; s < losses_.size(); ++s) {
-      const auto& [from, factor, faces] = losses_[s];
-      if (factor < 0 || told_[s] != 0 || scene_.surfaces[s].is_obstruction) continue;
-      std::string message = fmt::format("the back of {} is black: there {} loses F = {} of its light",
-                                        quoted_name(scene_.surfaces[s].name), name(from), shortest(factor));
-      if (faces > 1) message += fmt::format(", the most of {} faces", faces);
-      add(Severity::kWarning, "black-back", {s}, std::move(message), remedy(scene_.surfaces[s]));
-    }
+    std::vector<Surfaces> lost(scene_.groups.size());
+    for (std::uint32_t s = 0; s < losses_.size(); ++s)
+      if (losses_[s].factor >= 0 && told_[s] == 0 && !scene_.surfaces[s].is_obstruction)
+        lost[scene_.surfaces[s].group].push_back(s);
+    for (Surfaces& surfaces : lost)
+      if (!surfaces.empty()) tell_black_backs_of(std::move(surfaces));
   }
 
-  std::string remedy(const Surface& surface) const {
-    const std::string give = fmt::format("give {} a \"back\"", quoted_name(surface.name)),
-                      mesh = quoted_name(scene_.groups[surface.group].name);
+  void tell_black_backs_of(Surfaces surfaces) {
+    const std::uint32_t most = *std::max_element(surfaces.begin(), surfaces.end(),
+                                                 [&](auto a, auto b) { return losses_[a].factor < losses_[b].factor; });
+    const auto& [from, factor, faces] = losses_[most];
+    std::string message = fmt::format("the back of {} is black: there {} loses F = {} of its light",
+                                      quoted_name(scene_.surfaces[most].name), name(from), shortest(factor));
+    if (faces > 1) message += fmt::format(", the most of {} faces", faces);
+    if (surfaces.size() > 1)
+      message += fmt::format("; so are {} more of {} that others see", surfaces.size() - 1,
+                             quoted_name(scene_.groups[scene_.surfaces[most].group].name));
+    const bool is_alone = surfaces.size() == 1;
+    findings_.push_back({Severity::kWarning, "black-back", std::move(surfaces), middle(scene_.polygons[most]),
+                         std::move(message), remedy(scene_.surfaces[most], is_alone)});
+  }
+
+  // Of one back, or of those of its group that are seen.
+  std::string remedy(const Surface& surface, bool is_alone) const {
+    const std::string mesh = quoted_name(scene_.groups[surface.group].name);
+    const std::string give = fmt::format("give {} a \"back\"", is_alone ? quoted_name(surface.name) : mesh);
     const bool is_of_mesh = std::count_if(scene_.surfaces.begin(), scene_.surfaces.end(),
                                           [&](const Surface& other) { return other.group == surface.group; }) > 1;
     if (!is_of_mesh) return give;
@@ -173,11 +200,27 @@ class SightTeller {
   void tell_covered(std::uint32_t face) {
     const auto material = matrix_.elements()[face].material;
     if (!material) return;
-    const bool emits = !scene_.materials[*material].emission.is_zero();
+    const bool emits =
+        !scene_.materials[*material].emission.is_zero() && !is_as_warm_as_cover(surface(face), *material);
     add(emits ? Severity::kWarning : Severity::kNote, "covered", {surface(face)},
         fmt::format("nothing is left of {}: others cover all of it{}", name(face),
                     emits ? ", and its emission is lost" : ""),
         emits ? "move it out of what covers it" : "nothing to do here: it has no part in the exchange");
+  }
+
+  // Whether something that lies in its plane, over its middle, has its temperature: what covers it, or it stands on.
+  bool is_as_warm_as_cover(std::uint32_t s, std::uint32_t material) const {
+    const std::optional<Rational> own = grey_temperature(scene_.materials[material]);
+    if (!own) return false;
+    const Point3 at = middle(scene_.polygons[s]);
+    for (std::uint32_t other = 0; other < scene_.surfaces.size(); ++other) {
+      if (other == s || !lies_on(scene_.polygons[other], scene_.polygons[s], at)) continue;
+      for (const bool is_back : {false, true})
+        if (const auto its = scene_.surfaces[other].material_of(is_back);
+            its && grey_temperature(scene_.materials[*its]) == own)
+          return true;
+    }
+    return false;
   }
 
   void tell_lonely() {

@@ -67,7 +67,7 @@ SolidFindings3 solid_findings(const Scene3& scene, const Solids3& solids) {
     result.findings.push_back(
         {Severity::kWarning, "filled-room", std::move(surfaces), at,
          fmt::format("{} is solid, and {} {} in its interior, where nothing is seen{}: was a room meant?",
-                     quoted_name(scene.groups[solid].name), listed_names(names), names.size() == 1 ? "is" : "are",
+                     quoted_name(solids.mesh_of(solid)->name), listed_names(names), names.size() == 1 ? "is" : "are",
                      lost.empty() ? "" : "; the light of " + listed_names(lost) + " is lost"),
          "where a room was meant, list the points of its polygons the other way round; else take away what is inside "
          "it, or say \"behind\": \"open\""});

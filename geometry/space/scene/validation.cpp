@@ -37,7 +37,7 @@ void validate_masks(const Scene3& scene) {
     HOTTEL_REQUIRE(before == nullptr || before->surface < mask.surface);
     before = &mask;
     if (const std::string problem = mask_problem(scene, mask); !problem.empty())
-      throw InputError({scene.file, scene.surfaces[mask.surface].line},
+      throw InputError(place_of(scene, scene.surfaces[mask.surface]),
                        "polygon " + quoted_name(scene.surfaces[mask.surface].name) + " " + problem);
   }
 }
@@ -65,7 +65,7 @@ void validate(const Scene3& scene) {
   for (std::size_t s = 0; s < scene.polygons.size(); ++s) {
     const auto& [problem, hint] = polygon_problem(scene.polygons[s]);
     if (!problem.empty())
-      throw InputError({scene.file, scene.surfaces[s].line},
+      throw InputError(place_of(scene, scene.surfaces[s]),
                        "polygon " + quoted_name(scene.surfaces[s].name) + " " + problem,
                        hint.empty() ? std::vector<std::string>() : std::vector{hint});
   }

@@ -6,6 +6,7 @@
 #include "geometry/name.h"
 #include "io/foreign/csv_reader.h"
 #include "io/scene/json_fields.h"
+#include "io/scene/plane/map_position.h"
 #include "io/scene/plane/well_known_text.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/trimmed.h"
@@ -45,7 +46,7 @@ std::vector<Point2> points_of_csv(std::string_view text, const std::string& name
 
 class GeoJsonPoints {
  public:
-  explicit GeoJsonPoints(std::vector<Point2>& points) : points_(points) {}
+  GeoJsonPoints(std::vector<Point2>& points, PassedOver& passed_over) : points_(points), passed_over_(passed_over) {}
 
   // Nothing is nested deeper than kMaxJsonDepth.
   void read(const JsonValue& object) {
@@ -81,20 +82,10 @@ class GeoJsonPoints {
     require_kind(list, JsonKind::kArray, {what});
     for (const JsonValue item : list.items()) read_item(item);
   }
-  void add(const JsonValue& position) {
-    require_kind(position, JsonKind::kArray, {"a position"});
-    if (position.size() != 2)
-      refuse(position, "a position in the plane has two coordinates, not " + std::to_string(position.size()));
-    const auto items = position.items();
-    auto item = items.begin();
-    Point2 point;
-    point.x = read_number(*item, {"a coordinate"});
-    ++item;
-    point.y = read_number(*item, {"a coordinate"});
-    points_.push_back(std::move(point));
-  }
+  void add(const JsonValue& position) { points_.push_back(read_position_2(position, passed_over_)); }
 
   std::vector<Point2>& points_;
+  PassedOver& passed_over_;
 };
 
 // ---- well-known text
@@ -111,7 +102,7 @@ class WellKnownPoints {
   void read_geometry(int depth) {
     text_.skip_blanks();
     const FileLine where = text_.here();
-    const std::string type = text_.word();
+    const std::string type = text_.geometry();
     if (type.empty()) text_.refuse_here("POINT, MULTIPOINT or GEOMETRYCOLLECTION");
     if (type != "POINT" && type != "MULTIPOINT" && type != "GEOMETRYCOLLECTION")
       throw InputError(where, quoted_name(type) + " is no list of points",
@@ -122,11 +113,7 @@ class WellKnownPoints {
       points_.push_back(text_.position());
       text_.expect(')');
     } else if (type == "MULTIPOINT") {
-      text_.read_list([this] {
-        const bool is_wrapped = text_.takes('(');
-        points_.push_back(text_.position());
-        if (is_wrapped) text_.expect(')');
-      });
+      text_.read_list([this] { points_.push_back(text_.wrapped_position()); });
     } else {
       text_.read_list([this, depth] { read_geometry(depth + 1); });
     }
@@ -138,7 +125,9 @@ class WellKnownPoints {
 
 }  // namespace
 
-std::vector<Point2> read_points_2(std::string_view text, const std::string& name) {
+std::vector<Point2> read_points_2(std::string_view text, const std::string& name, PassedOver* passed_over) {
+  PassedOver untold;
+  PassedOver& told = passed_over != nullptr ? *passed_over : untold;
   std::string_view content = text;
   if (content.starts_with(kByteOrderMark)) content.remove_prefix(kByteOrderMark.size());
   const std::string_view start = trimmed(content, kBlanks);
@@ -147,9 +136,9 @@ std::vector<Point2> read_points_2(std::string_view text, const std::string& name
   std::vector<Point2> points;
   if (start.starts_with('{')) {
     const JsonDocument document(content, name);
-    GeoJsonPoints(points).read(document.root());
+    GeoJsonPoints(points, told).read(document.root());
   } else if (is_word && !is_header) {
-    WellKnownText2 well_known(content, name);
+    WellKnownText2 well_known(content, name, told);
     WellKnownPoints(well_known, points).read_all();
   } else {
     points = points_of_csv(content, name);

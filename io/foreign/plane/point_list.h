@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/plane/point.h"
+#include "io/scene/passed_over.h"
 
 namespace hottel {
 
@@ -18,8 +19,10 @@ namespace hottel {
 //            x,y are the first line of a csv.)
 //   else     csv: one point x,y a line, blanks about a number are allowed, and so is a first line x,y
 //
-// Members of GeoJSON objects that say nothing of places are passed over. Throws InputError with file and line for
-// anything else: another geometry, a third coordinate, a number that is none, no point at all. COST: linear.
-std::vector<Point2> read_points_2(std::string_view text, const std::string& name_for_messages);
+// Members of GeoJSON objects that say nothing of places are passed over; so are third coordinates of GeoJSON and
+// well-known text, which are counted. Throws InputError with file and line for anything else: another geometry, a
+// number that is none, no point at all. COST: linear.
+std::vector<Point2> read_points_2(std::string_view text, const std::string& name_for_messages,
+                                  PassedOver* passed_over = nullptr);
 
 }  // namespace hottel

@@ -16,11 +16,11 @@ std::string check_json(const Scene2& scene, const Findings2& findings, const Rep
 }
 
 std::string check_text(const Scene2& scene, const Findings2& findings, std::size_t most) {
-  return check_text(scene.file, reported(scene, findings), most);
+  return check_text(reported(scene, findings), most);
 }
 
 std::string findings_text(const Scene2& scene, const Findings2& findings, std::size_t most) {
-  return findings_text(scene.file, reported(scene, findings), most);
+  return findings_text(reported(scene, findings), most);
 }
 
 }  // namespace hottel

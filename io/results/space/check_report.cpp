@@ -20,11 +20,11 @@ std::string check_json(const Scene3& scene, const Findings3& findings, const Rep
 }
 
 std::string findings_text(const Scene3& scene, const Findings3& findings, std::size_t most) {
-  return findings_text(scene.file, reported(scene, findings), most);
+  return findings_text(reported(scene, findings), most);
 }
 
 std::string check_text(const Scene3& scene, const Findings3& findings, std::size_t most) {
-  return check_text(scene.file, reported(scene, findings), most);
+  return check_text(reported(scene, findings), most);
 }
 
 }  // namespace hottel

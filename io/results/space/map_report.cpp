@@ -18,9 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string solid_name(const Scene3& scene, const Solids3& solids, std::uint32_t mesh) {
-  return scene.groups[solids.meshes()[mesh].group].name;
-}
+std::string solid_name(const Solids3& solids, std::uint32_t mesh) { return solids.meshes()[mesh].name; }
 
 // What is left of 1 may be less than nothing by rounding.
 double not_negative(double rest) { return std::max(0.0, rest); }
@@ -69,7 +67,7 @@ std::string text_of(const Scene3& scene, const Solids3& solids, const PointMap3&
   for (const PointMap3::Share& share : map.shares) line(share.factor, share.fraction, face_name(scene, share.face));
   line(not_negative(map.sky_factor), not_negative(map.sky_fraction), "sky");
   for (const PointMap3::InSolid& solid : map.solids)
-    line(0, solid.fraction, "(in the solid " + quoted_name(solid_name(scene, solids, solid.mesh)) + ")");
+    line(0, solid.fraction, "(in the solid " + quoted_name(solid_name(solids, solid.mesh)) + ")");
   return text + "\n" + counted(map.fragments.size(), "piece") + " of " + counted(map.shares.size(), "face") + "\n";
 }
 
@@ -85,7 +83,7 @@ VisibilityAnswer map_answer(const Scene3& scene, const Solids3& solids, const Lo
   json["sky"] = {{"fraction", sky}, {"solid_angle", solid_angle(sky)}};
   if (has_factors) json["sky"]["factor"] = not_negative(map.sky_factor);
   for (const PointMap3::InSolid& solid : map.solids)
-    json["solids"].push_back({{"solid", solid_name(scene, solids, solid.mesh)},
+    json["solids"].push_back({{"solid", solid_name(solids, solid.mesh)},
                               {"fraction", solid.fraction},
                               {"solid_angle", solid_angle(solid.fraction)}});
   json["tiers"] = {

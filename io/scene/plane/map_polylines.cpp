@@ -34,8 +34,9 @@ std::string place(const PolylinePoint2& point) {
 
 void MapPolylines2::add_line(Points line, const MapFeature2& feature, const FileLine& where) {
   if (line.size() < 2) throw InputError(where, "a line has fewer than two points");
-  drop_repeated_points(line);
-  if (line.size() < 2) throw InputError(where, "a line has no length: all its points are the same");
+  if (std::all_of(line.begin(), line.end(), [&](const PolylinePoint2& p) { return p.at == line.front().at; }))
+    return pass_over(PassedKind::kLineWithoutLength, {where, "a line has no length: all its points are the same"});
+  drop_repeated_points(line, where);
   const bool closed = line.size() > 3 && is_closed(line);
   if (closed) line.pop_back();
   add(std::move(line), closed, feature);
@@ -48,7 +49,7 @@ void MapPolylines2::add_closed_line(Points line, const MapFeature2& feature, con
 
 void MapPolylines2::add_ring(Points ring, bool is_hole, const MapFeature2& feature, const FileLine& where) {
   if (!is_closed(ring)) throw InputError(where, "a ring of a polygon is not closed: its last point must be its first");
-  drop_repeated_points(ring);
+  drop_repeated_points(ring, where);
   ring.pop_back();
   if (ring.size() < 3) throw InputError(where, "a ring of a polygon has fewer than three corners");
   refuse_crossing(ring, feature, where);
@@ -61,13 +62,20 @@ void MapPolylines2::add_ring(Points ring, bool is_hole, const MapFeature2& featu
 }
 
 Scene2 MapPolylines2::scene() {
+  if (scene_.surfaces.empty())
+    throw instead_ ? *instead_ : InputError({scene_.file, 0}, "there is no line and no polygon in it");
   validate(scene_);
   return std::move(scene_);
 }
 
-void MapPolylines2::drop_repeated_points(Points& points) {
-  passed_over_.repeated_points +=
-      drop_repeated(points, false, [](const auto& a, const auto& b) { return a.at == b.at; });
+// Where points have lines the first that repeats is told by its own.
+void MapPolylines2::drop_repeated_points(Points& points, const FileLine& where) {
+  const auto is_same = [](const PolylinePoint2& a, const PolylinePoint2& b) { return a.at == b.at; };
+  const auto first = std::adjacent_find(points.begin(), points.end(), is_same);
+  if (first == points.end()) return;
+  const int line = (first + 1)->line;
+  pass_over(PassedKind::kRepeatedPoint, {where.file, line > 0 ? line : where.line},
+            drop_repeated(points, false, is_same));
 }
 
 // What lies right of a ring that crosses itself is its inside here and its outside there.
@@ -99,10 +107,7 @@ std::string MapPolylines2::free_name(const MapFeature2& feature) {
   if (const auto problem = name_problem(feature.name); !problem.empty())
     throw InputError({scene_.file, feature.name_line},
                      "the name " + quoted_name(feature.name) + " " + std::string(problem));
-  std::string name = feature.name;
-  for (std::size_t& k = count_[feature.name]; !names_.insert(name).second;)
-    name = feature.name + "~" + std::to_string(std::max<std::size_t>(++k, 2));
-  return name;
+  return names_.take(feature.name);
 }
 
 std::uint32_t MapPolylines2::material(const std::string& name) {

@@ -3,12 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "geometry/plane/scene/scene_entries.h"
+#include "io/scene/distinct_names.h"
 #include "io/scene/passed_over.h"
 #include "io/scene/plane/map_defaults.h"
 #include "kernel/support/failure.h"
@@ -32,7 +33,16 @@ class MapPolylines2 {
   // REQUIRES that `passed_over` outlives this.
   MapPolylines2(const std::string& file, PassedOver& passed_over) : passed_over_(passed_over) { scene_.file = file; }
 
-  void pass_over_empty() { ++passed_over_.empty_geometries; }
+  PassedOver& passed_over() { return passed_over_; }
+  // What is no line and no polygon.
+  void pass_over(PassedKind kind, const FileLine& where, std::size_t count = 1) {
+    passed_over_.add(kind, where, "", count);
+  }
+  // The same; where nothing else is in the map, that is told instead.
+  void pass_over(PassedKind kind, InputError instead, std::size_t count = 1) {
+    pass_over(kind, instead.where(), count);
+    if (!instead_) instead_ = std::move(instead);
+  }
 
   // A line, closed where it has four points or more and the last is the first; or one that has to close.
   void add_line(Points line, const MapFeature2& feature, const FileLine& where);
@@ -41,21 +51,21 @@ class MapPolylines2 {
   // A ring of a polygon, its last point the first: the outline or a hole.
   void add_ring(Points ring, bool is_hole, const MapFeature2& feature, const FileLine& where);
 
-  // The scene of all that was added. To be called once.
+  // The scene of all that was added. To be called once. Throws InputError where that is nothing.
   Scene2 scene();
 
  private:
-  void drop_repeated_points(Points& points);
+  void drop_repeated_points(Points& points, const FileLine& where);
   void refuse_crossing(const Points& ring, const MapFeature2& feature, const FileLine& where);
   void add(Points points, bool closed, const MapFeature2& feature);
   std::string free_name(const MapFeature2& feature);
   std::uint32_t material(const std::string& name);
 
   PassedOver& passed_over_;
+  std::optional<InputError> instead_;
   Scene2 scene_;
   std::unordered_map<std::string, std::uint32_t> material_;
-  std::unordered_map<std::string, std::size_t> count_;
-  std::unordered_set<std::string> names_;
+  DistinctNames names_;
 };
 
 }  // namespace hottel

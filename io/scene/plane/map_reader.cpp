@@ -8,6 +8,7 @@
 #include "io/files/text_file.h"
 #include "io/scene/json_fields.h"
 #include "io/scene/plane/map_polylines.h"
+#include "io/scene/plane/map_position.h"
 #include "io/scene/plane/well_known_text.h"
 #include "kernel/support/failure.h"
 
@@ -44,19 +45,32 @@ class GeoJsonMap {
       for_each(required(object, "geometries"), [&](const JsonValue& item) { read(item, feature); });
     } else if (type == "Feature") {
       const JsonValue geometry = required(object, "geometry");
-      if (geometry.kind() == JsonKind::kNull) return map_.pass_over_empty();
+      if (geometry.kind() == JsonKind::kNull) return pass_over_empty(geometry);
       read(geometry, feature_of(object, feature));
     } else if (type == "FeatureCollection") {
       for_each(required(object, "features"), [&](const JsonValue& item) { read(item, feature); });
+    } else if (type == "Point") {
+      pass_over_points(type_value, 1);
+    } else if (type == "MultiPoint") {
+      pass_over_points(type_value, required(object, "coordinates").size());
     } else {
-      refuse(type_value, quoted_name(type) + " has no walls",
-             {"understood: Polygon, MultiPolygon, LineString, MultiLineString, GeometryCollection, Feature, "
-              "FeatureCollection",
-              "points to look from go with: hottel visibility MAP --points FILE"});
+      throw no_walls(type_value);
     }
   }
 
  private:
+  static InputError no_walls(const JsonValue& type) {
+    return {where(type),
+            quoted_name(type.text()) + " has no walls",
+            {"understood: Polygon, MultiPolygon, LineString, MultiLineString, GeometryCollection, Feature, "
+             "FeatureCollection",
+             "points to look from go with: hottel visibility MAP --points FILE"}};
+  }
+  void pass_over_points(const JsonValue& type, std::size_t count) {
+    map_.pass_over(PassedKind::kPoint, no_walls(type), count);
+  }
+  void pass_over_empty(const JsonValue& value) { map_.pass_over(PassedKind::kEmptyGeometry, where(value)); }
+
   static JsonValue member(const JsonValue& object, std::string_view key) {
     for (const auto& [name, value] : object.members())
       if (name.text() == key) return value;
@@ -104,20 +118,8 @@ class GeoJsonMap {
     return feature;
   }
 
-  static PolylinePoint2 position(const JsonValue& value) {
-    require_kind(value, JsonKind::kArray, {"a position"});
-    if (value.size() != 2)
-      refuse(value, "a position in the plane has two coordinates, not " + std::to_string(value.size()));
-    const auto items = value.items();
-    auto item = items.begin();
-    PolylinePoint2 point;
-    point.line = value.line();
-    point.at.x = read_number(*item, {"a coordinate"});
-    ++item;
-    point.at.y = read_number(*item, {"a coordinate"});
-    return point;
-  }
-  static Ring positions(const JsonValue& list) {
+  PolylinePoint2 position(const JsonValue& value) { return {read_position_2(value, map_.passed_over()), value.line()}; }
+  Ring positions(const JsonValue& list) {
     Ring ring;
     for_each(list, [&](const JsonValue& item) { ring.push_back(position(item)); });
     return ring;
@@ -127,11 +129,11 @@ class GeoJsonMap {
   void read_polygon(const JsonValue& rings, const Feature& feature) {
     bool is_hole = false, is_empty = false;
     require_kind(rings, JsonKind::kArray, {"a list of GeoJSON"});
-    if (rings.size() == 0) return map_.pass_over_empty();
+    if (rings.size() == 0) return pass_over_empty(rings);
     for_each(rings, [&](const JsonValue& ring) {
       require_kind(ring, JsonKind::kArray, {"a list of GeoJSON"});
       if (ring.size() == 0) {
-        map_.pass_over_empty();
+        pass_over_empty(ring);
         is_empty |= !is_hole;
       } else if (is_empty) {
         refuse(ring, kNoOutline);
@@ -143,7 +145,7 @@ class GeoJsonMap {
   }
   void read_line(const JsonValue& line, const Feature& feature) {
     require_kind(line, JsonKind::kArray, {"a list of GeoJSON"});
-    if (line.size() == 0) return map_.pass_over_empty();
+    if (line.size() == 0) return pass_over_empty(line);
     map_.add_line(positions(line), feature, where(line));
   }
 
@@ -151,6 +153,9 @@ class GeoJsonMap {
 };
 
 // ---- well-known text
+
+constexpr const char* kUnderstood =
+    "understood: POLYGON, MULTIPOLYGON, TRIANGLE, LINESTRING, MULTILINESTRING, LINEARRING, GEOMETRYCOLLECTION";
 
 class WellKnownMap {
  public:
@@ -185,16 +190,24 @@ class WellKnownMap {
   void read_geometry(int depth) {
     text_.skip_blanks();
     const FileLine where = text_.here();
-    const std::string type = text_.word();
+    const std::string type = text_.geometry();
     if (type.empty()) text_.refuse_here("POLYGON, LINESTRING or another geometry");
     if (type == "SRID" && depth == 0) return pass_over_srid();
+    if (type == "POINT" || type == "MULTIPOINT") return pass_over_points(type, where);
     const auto parts = parts_of(type);
-    if (!parts)
-      throw InputError(
-          where, quoted_name(type) + (type == "POINT" || type == "MULTIPOINT" ? " has no walls" : " is not understood"),
-          {"understood: POLYGON, MULTIPOLYGON, TRIANGLE, LINESTRING, MULTILINESTRING, LINEARRING, GEOMETRYCOLLECTION"});
+    if (!parts) throw InputError(where, quoted_name(type) + " is not understood", {kUnderstood});
     if (depth == kMaxJsonDepth) throw InputError(where, "collections are nested too deep");
     if (begins()) read_parts(*parts, where, depth);
+  }
+
+  void pass_over_points(const std::string& type, const FileLine& where) {
+    if (!begins()) return;
+    std::size_t count = 0;
+    text_.read_list([&] {
+      text_.wrapped_position();
+      ++count;
+    });
+    map_.pass_over(PassedKind::kPoint, {where, quoted_name(type) + " has no walls", {kUnderstood}}, count);
   }
 
   void read_parts(Parts parts, const FileLine& where, int depth) {
@@ -218,8 +231,9 @@ class WellKnownMap {
   }
 
   bool begins() {
+    const FileLine where = text_.here();
     const bool is_there = text_.begins();
-    if (!is_there) map_.pass_over_empty();
+    if (!is_there) map_.pass_over(PassedKind::kEmptyGeometry, where);
     return is_there;
   }
 
@@ -273,12 +287,10 @@ Scene2 parse_map_2(std::string_view text, const std::string& name_for_messages, 
     const JsonDocument document(text, name_for_messages);
     GeoJsonMap(map).read(document.root(), feature);
   } else {
-    WellKnownText2 well_known(text, name_for_messages);
+    WellKnownText2 well_known(text, name_for_messages, map.passed_over());
     WellKnownMap(well_known, map, feature).read_all();
   }
-  Scene2 scene = map.scene();
-  if (scene.surfaces.empty()) throw InputError({name_for_messages, 0}, "there is no line and no polygon in it");
-  return scene;
+  return map.scene();
 }
 
 Scene2 read_map_2(const std::filesystem::path& file, MapSide2 side, PassedOver* passed_over) {

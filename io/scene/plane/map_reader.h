@@ -27,10 +27,10 @@ bool is_map_2(const std::filesystem::path& file);
 //   (5) names are the property "name", a text or a number, or else the "id" of a feature; else polyline[k], k from 0
 //       among all polylines. Of several polylines of one name the second is NAME~2, and so on. Other properties and
 //       members are passed over
-//   (6) points, positions of three coordinates, rings that are not closed, have fewer than three corners or no area or
-//       cross themselves, lines without length, and curves are refused: no geometry is dropped
-//   (7) points that repeat the one before, and geometries that are null or empty, are no geometry: they are counted
-//       and passed over
+//   (6) rings that are not closed, have fewer than three corners or no area or cross themselves, and curves are refused
+//   (7) points that repeat the one before, geometries that are null or empty, points, lines whose points are all the
+//       same, third coordinates and measures are counted and passed over; where there is nothing else the first is
+//       refused
 // Throws InputError with file and line.                                                              COST: linear.
 Scene2 read_map_2(const std::filesystem::path& file, MapSide2 side = MapSide2::kInside,
                   PassedOver* passed_over = nullptr);

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <pugixml.hpp>
 #include <unordered_map>
 #include <unordered_set>
@@ -69,6 +70,7 @@ class SvgReader {
       if (other.type() == pugi::node_element) refuse(line_of(other), "there is a second outermost element");
     check_style_sheets();
     walk(root, group(root, {}), 0);
+    if (scene_.surfaces.empty() && no_length_) throw InputError(*no_length_);
     if (scene_.surfaces.empty()) refuse(0, "has no lines");
     // Edges stand before polylines, as in a scene file.
     std::vector<std::uint32_t> order(scene_.surfaces.size());
@@ -285,8 +287,9 @@ class SvgReader {
       refuse(line_of(node), subject(node) + ": the id " + std::string(problem));
     std::vector<Point2>& p = run.points;
     if (p.size() < 2) refuse(node, "has fewer than two points");
-    passed_over_.repeated_points += drop_repeated(p, run.closed, std::equal_to<>());
-    if (p.size() < 2) refuse(node, "has no length: all its points are the same");
+    const std::size_t repeated = drop_repeated(p, run.closed, std::equal_to<>());
+    if (p.size() < 2) return pass_over_point(node);
+    passed_over_.add(PassedKind::kRepeatedPoint, {scene_.file, line_of(node)}, "of " + tag(node), repeated);
     for (Point2& point : p) {
       point = style.transform.apply(point);
       point.y = -point.y;
@@ -306,6 +309,12 @@ class SvgReader {
     }
   }
 
+  void pass_over_point(pugi::xml_node node) {
+    const FileLine where{scene_.file, line_of(node)};
+    passed_over_.add(PassedKind::kLineWithoutLength, where, tag(node));
+    if (!no_length_) no_length_ = InputError(where, subject(node) + " has no length: all its points are the same");
+  }
+
   std::uint32_t material(pugi::xml_node node, const std::string& name) {
     if (name.empty() || has_control_character(name)) refuse(node, "has a material without a proper name");
     const auto [entry, is_new] = materials_.emplace(name, static_cast<std::uint32_t>(scene_.materials.size()));
@@ -315,6 +324,7 @@ class SvgReader {
 
   std::string_view text_;
   PassedOver& passed_over_;
+  std::optional<InputError> no_length_;  // of the first that has none
   pugi::xml_document document_;
   Scene2 scene_;
   std::unordered_map<std::string, std::uint32_t> materials_;
@@ -323,6 +333,8 @@ class SvgReader {
 };
 
 }  // namespace
+
+bool is_svg_2(const std::filesystem::path& file) { return file.extension() == ".svg"; }
 
 Scene2 parse_svg_2(std::string_view text, const std::string& name_for_messages, PassedOver* passed_over) {
   PassedOver untold;

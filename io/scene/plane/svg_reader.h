@@ -14,6 +14,9 @@ namespace hottel {
 inline constexpr const char* kSvgMaterial = "white";
 inline const Rational kSvgReflectivity{1, 2};
 
+// Whether a file name ends as that of a drawing: .svg.
+bool is_svg_2(const std::filesystem::path& file);
+
 // Returns the scene of a drawing.
 //
 //   (1) a <line> is an edge; <polyline>, <polygon>, <rect> and each part of a <path> that M begins is a polyline; edges
@@ -25,8 +28,9 @@ inline const Rational kSvgReflectivity{1, 2};
 //   (4) names are the ids ("ID.1", "ID.2", ... for a path of several parts); without an id edge[k] and polyline[k], k
 //       counted over elements of that kind. Materials are data-material, or else the class, or else "white"; data-back
 //       is the material of the back. data-material, data-back, data-front and class hold for everything in a group
-//   (5) a point that repeats the one before, or of a closed run the first, is passed over, and counted; a run that has
-//       one point left is refused
+//   (5) a point that repeats the one before, or of a closed run the first, is passed over, and counted; so is a run
+//   that
+//       has one point left, unless nothing else is drawn
 //   (6) nothing else is dropped: what cannot be read exactly (curves, text, images, <use>, rounded corners, hidden or
 //       clipped elements, rotations other than quarter turns, lengths with units), styles that hide, move or resize
 //       (svg_style.h), data- keys other than those above, scripts, and references to entities are refused at their

@@ -41,6 +41,13 @@ std::string WellKnownText2::word() {
   return result;
 }
 
+std::string WellKnownText2::geometry() {
+  std::string result = word();
+  for (const char dimension : {'M', 'Z'})
+    if (result.size() > 1 && result.back() == dimension) result.pop_back();
+  return result;
+}
+
 bool WellKnownText2::takes(char c) {
   if (!skip_blanks() || text_[at_] != c) return false;
   ++at_;
@@ -57,8 +64,10 @@ bool WellKnownText2::begins() {
     const FileLine where = here();
     const std::string found = word();
     if (found == "EMPTY") return false;
-    if (found == "Z" || found == "M" || found == "ZM")
-      throw InputError(where, "a position in the plane has two coordinates: " + found + " is not understood");
+    if (found == "Z" || found == "M" || found == "ZM") {
+      if (!skip_blanks()) throw InputError(where, "'(' or EMPTY is expected, not the end");
+      return begins();
+    }
     throw InputError(where, "'(' or EMPTY is expected, not " + quoted_name(found));
   }
   expect('(');
@@ -69,8 +78,22 @@ Point2 WellKnownText2::position() {
   Point2 point;
   point.x = number();
   point.y = number();
-  if (skip_blanks() && text_[at_] != ')' && text_[at_] != ',')
-    throw InputError(here(), "a position in the plane has two coordinates");
+  const auto ends = [this] { return !skip_blanks() || text_[at_] == ')' || text_[at_] == ','; };
+  if (ends()) return point;
+  const FileLine where = here();
+  for (std::size_t count = 2; !ends(); ++count) {
+    if (count == kMostCoordinates)
+      throw InputError(here(), "a position has more than " + std::to_string(kMostCoordinates) + " coordinates");
+    number();
+  }
+  passed_over_.add(PassedKind::kThirdCoordinate, where);
+  return point;
+}
+
+Point2 WellKnownText2::wrapped_position() {
+  const bool is_wrapped = takes('(');
+  Point2 point = position();
+  if (is_wrapped) expect(')');
   return point;
 }
 

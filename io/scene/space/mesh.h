@@ -10,6 +10,7 @@
 
 #include "geometry/material.h"
 #include "geometry/space/scene/polygon.h"
+#include "io/scene/passed_over.h"
 
 namespace hottel {
 
@@ -32,13 +33,18 @@ struct MeshFace3 {
 //
 //   (1) coordinates are exact; a face has three points or more, some perhaps equal, and may be no polygon yet
 //       (polygon_problem)
-//   (2) groups and materials are those that faces have, in the order of the faces; only OBJ files name any
+//   (2) groups and materials are those that faces have, in the order of the faces; OBJ files name both, STL files of
+//       several solids groups. Their names differ
 struct Mesh3 {
   std::string file;
   std::vector<MeshFace3> faces;
   std::vector<MeshName3> groups, materials;
   std::map<std::string, Material> library;  // of all its MTL files, by name
-  bool has_library = false;                 // it names an MTL file
+  bool is_one_body = false;                 // its groups are parts of one (Group::body)
+  bool has_library = false;                 // it names an MTL file that is there
+  std::vector<std::string> library_files;   // those that were read
+  std::string missing_library;              // the first that it names and that is not there; empty: none
+  PassedOver passed_over;                   // what is no face
   // What the last digit of coordinates stands for: that of a decimal number, 0 where there is none; or, where they are
   // binary floating-point numbers, how many binary digits these have.
   Rational unit;

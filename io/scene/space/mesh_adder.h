@@ -26,7 +26,7 @@ struct MeshEntry3 {
   std::optional<std::uint32_t> back;      // of all backs
   std::uint32_t elements = 1;
   Behind behind = Behind::kByOutline;  // of all groups
-  int line = 0;                        // of all faces; 0: each has its own, in the file of the mesh
+  int line = 0;                        // of the mesh in the file of the scene; 0: faces have their own there
   bool invents_materials = false;      // what no file defines has kMeshReflectivity
 };
 
@@ -36,8 +36,11 @@ struct MeshEntry3 {
 //       become groups of the scene, numbered by their first faces
 //   (2) a material is the one that the scene had of that name before any mesh, else that of the mesh's MTL files; only
 //       those that faces have are added. Meshes may share one, if it is the same in both files
-//   (3) a corner of a face that repeats the one before, or the first, is passed over, and counted
-//   (4) faces that are plane but for the last digits of the file are nearly plane (accept_nearly_plane)
+//   (3) a corner of a face that repeats the one before, or the first, is passed over, and counted; so is a face that
+//       then has no area, unless none has any. It keeps its number
+//   (4) a face that runs to its holes and back along seams has these holes (open_seams)
+//   (5) surfaces know where they stand in the file (Surface::in_mesh)
+//   (6) faces that are plane but for the last digits of the file are nearly plane (accept_nearly_plane)
 class MeshAdder3 {
  public:
   // Faces that are not plane are refused, or cut by the triangulator. REQUIRES that all outlive this, and that the
@@ -45,14 +48,21 @@ class MeshAdder3 {
   explicit MeshAdder3(Scene3& scene, Triangulator3* triangulator = nullptr, PassedOver* passed_over = nullptr);
 
   // Throws InputError with the file of the mesh and the line of the face (or its byte, in a binary file), naming it,
-  // for a face that is no polygon (polygon_problem), or has no material; for a group whose name cannot be one
-  // (name_problem), a material that is not defined or is another one in another mesh. COST: linear.
+  // for a face that is no polygon (polygon_problem), or has no material; where none has an area, for the first; for a
+  // group whose name cannot be one (name_problem), a material that is not defined or is another one in another mesh.
+  // COST: linear.
   void add(const Mesh3& mesh, const MeshEntry3& entry);
 
   // The names of materials that no file defines, in the order in which faces had them.
   const std::vector<std::string>& invented() const { return invented_; }
 
  private:
+  struct Adding;
+  void add_face(Adding& adding, const MeshFace3& face);
+  void pass_over(const Mesh3& mesh, const MeshFace3& face, PassedKind kind, const std::string& name,
+                 std::size_t count = 1);
+  std::uint32_t group_of(Adding& adding, const MeshFace3& face);
+  std::uint32_t material_of(Adding& adding, const MeshFace3& face, const std::string& surface);
   std::uint32_t material_of(const Mesh3& mesh, const MeshName3& name, bool invents);
   std::uint32_t added_material(const Mesh3& mesh, int line, Material material);
 

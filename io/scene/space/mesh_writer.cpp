@@ -376,6 +376,7 @@ class MeshWriter3 {
     add(scene_.closed, "the promise \"closed\"");
     add(std::any_of(scene_.surfaces.begin(), scene_.surfaces.end(), [](const Surface& s) { return s.elements != 1; }),
         "elements");
+    add(std::ranges::any_of(scene_.groups, [](const Group& g) { return !g.body.empty(); }), "what is one body");
     add(scene_.grid.has_value(), "the grid");
     add(scene_.camera.has_value(), "the camera");
     add(!scene_.expect.empty(), "expectations");

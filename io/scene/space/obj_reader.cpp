@@ -9,6 +9,7 @@
 #include "geometry/space/scene/near_plane.h"
 #include "io/scene/mtl_reader.h"
 #include "io/scene/obj_statements.h"
+#include "io/scene/space/mesh_names.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -17,10 +18,10 @@ namespace {
 // What says nothing of shape or diffuse light.
 constexpr std::array<std::string_view, 11> kPassedOver{
     "vt", "vn", "s", "lod", "bevel", "usemap", "c_interp", "d_interp", "shadow_obj", "trace_obj", "maplib"};
-// What has no area, or is curved.
-constexpr std::array<std::string_view, 19> kNotMadeOfFaces{"p",    "l",     "vp",   "cstype", "deg",  "bmat", "step",
-                                                           "curv", "curv2", "surf", "parm",   "trim", "hole", "scrv",
-                                                           "sp",   "end",   "con",  "ctech",  "stech"};
+// What is curved.
+constexpr std::array<std::string_view, 17> kNotMadeOfFaces{"vp",    "cstype", "deg",  "bmat",  "step", "curv",
+                                                           "curv2", "surf",   "parm", "trim",  "hole", "scrv",
+                                                           "sp",    "end",    "con",  "ctech", "stech"};
 
 template <std::size_t N>
 bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
@@ -44,6 +45,7 @@ class ObjReader3 {
   // A name in force, and its index once a face has it.
   struct Current {
     MeshName3 name;  // empty: none
+    std::string typed;
     std::optional<std::uint32_t> index;
   };
 
@@ -55,8 +57,9 @@ class ObjReader3 {
     if (keyword == "usemtl") return set(material_, std::string(at_.rest()));
     if (keyword == "mtllib") return read_libraries();
     if (is_one_of(keyword, kPassedOver)) return;
+    if (keyword == "l" || keyword == "p") return pass_over(keyword == "l" ? PassedKind::kLine : PassedKind::kPoint);
     if (is_one_of(keyword, kNotMadeOfFaces))
-      at_.refuse("'" + std::string(keyword) + "' is not read: points, lines and curved surfaces are no plane faces");
+      at_.refuse("'" + std::string(keyword) + "' is not read: curved surfaces are no plane faces");
     at_.refuse("the keyword " + quoted_name(keyword) + " is not known");
   }
 
@@ -103,31 +106,35 @@ class ObjReader3 {
     MeshFace3 face;
     face.polygon.points.reserve(words.size());
     for (const std::string_view word : words) face.polygon.points.push_back(points_[vertex(word)]);
-    face.group = used(group_, group_index_, mesh_.groups);
-    face.material = used(material_, material_index_, mesh_.materials);
+    face.group = used(group_, group_names_, mesh_.groups);
+    face.material = used(material_, material_names_, mesh_.materials);
     face.line = at_.line();
     mesh_.faces.push_back(std::move(face));
   }
 
+  void pass_over(PassedKind kind, const std::string& name = "") {
+    mesh_.passed_over.add(kind, {mesh_.file, at_.line()}, name);
+  }
+
+  // What is typed decides which group it is; its name has no comment, and one blank between words.
   void set_group() {
     std::string name;
     for (const std::string_view word : at_.words()) name += (name.empty() ? "" : " ") + std::string(word);
-    set(group_, std::move(name));
+    set(group_, std::move(name), std::string(at_.raw_rest()));
   }
 
-  void set(Current& current, std::string name) { current = {{std::move(name), at_.line()}, std::nullopt}; }
+  void set(Current& current, std::string name) { set(current, name, name); }
+  void set(Current& current, std::string name, std::string typed) {
+    current = {{std::move(name), at_.line()}, std::move(typed), std::nullopt};
+  }
 
-  static std::optional<std::uint32_t> used(Current& current, std::unordered_map<std::string, std::uint32_t>& index,
-                                           std::vector<MeshName3>& names) {
+  static std::optional<std::uint32_t> used(Current& current, MeshNames3& names, std::vector<MeshName3>& list) {
     if (current.name.name.empty() || current.index) return current.index;
-    const auto [entry, is_new] = index.emplace(current.name.name, static_cast<std::uint32_t>(names.size()));
-    if (is_new) names.push_back(current.name);
-    return current.index = entry->second;
+    return current.index = names.index_of(current.typed, current.name, list);
   }
 
   // File names may have blanks: each ends in .mtl, or the line is one name.
   void read_libraries() {
-    mesh_.has_library = true;
     std::string_view rest = at_.rest();
     if (rest.empty()) at_.refuse("mtllib names no file");
     while (!rest.empty()) {
@@ -142,14 +149,25 @@ class ObjReader3 {
     const std::filesystem::path path = std::filesystem::path(mesh_.file).parent_path() / name;
     if (std::find(libraries_.begin(), libraries_.end(), path) != libraries_.end()) return;
     libraries_.push_back(path);
-    for (const Material& material : parse_mtl(library_text(path), path.string())) {
+    const auto text = library_text(path);
+    if (!text) return;
+    mesh_.has_library = true;
+    mesh_.library_files.push_back(path.string());
+    for (const Material& material : parse_mtl(*text, path.string())) {
       const auto [entry, is_new] = mesh_.library.emplace(material.name, material);
       if (!is_new) at_.refuse("the material " + quoted_name(entry->first) + " stands in two MTL files");
     }
   }
 
-  std::string library_text(const std::filesystem::path& path) const {
-    return read_named_file(files_, path, {mesh_.file, at_.line()}, "the file of materials");
+  // Nothing where it is missing: that is told, and refused where a material of it is needed.
+  std::optional<std::string> library_text(const std::filesystem::path& path) {
+    try {
+      return read_named_file(files_, path, {mesh_.file, at_.line()}, "the file of materials");
+    } catch (const MissingFile&) {
+      if (mesh_.missing_library.empty()) mesh_.missing_library = path.string();
+      pass_over(PassedKind::kMissingMaterialsFile, quoted_name(path.string()));
+      return std::nullopt;
+    }
   }
 
   ObjStatements at_;
@@ -158,7 +176,7 @@ class ObjReader3 {
   std::vector<Point3> points_;
   FinestDigit3 finest_;  // of these
   Current group_, material_;
-  std::unordered_map<std::string, std::uint32_t> group_index_, material_index_;
+  MeshNames3 group_names_, material_names_;
   std::vector<std::filesystem::path> libraries_;
 };
 

@@ -8,6 +8,7 @@
 #include "geometry/name.h"
 #include "geometry/near_names.h"
 #include "geometry/space/scene/near_plane.h"
+#include "geometry/space/scene/seams.h"
 #include "io/scene/json_fields.h"
 #include "io/scene/space/mesh_reader.h"
 #include "io/scene/table_reader.h"
@@ -64,6 +65,7 @@ class SpaceReader3 {
       found.push_back(read_polygon(value, name, finest));
     });
     for (auto& [surface, polygon] : found) {
+      open_seams(polygon);
       accept_nearly_plane(polygon, finest.unit());
       if (triangulator_ == nullptr || !triangulator_->add(scene_, surface, polygon))
         scene_.add(std::move(surface), std::move(polygon));
@@ -95,12 +97,13 @@ class SpaceReader3 {
   // The digits of its coordinates are told to `finest`.
   std::pair<Surface, Polygon3> read_polygon(const JsonValue& value, const std::string& default_name,
                                             FinestDigit3& finest) {
-    constexpr std::array<std::string_view, 4> kMore{"holes", "group", "obstruction", "masks"};
+    constexpr std::array<std::string_view, 5> kMore{"holes", "group", "obstruction", "masks", "body"};
     SceneEntry entry = table_.read_entry(value, default_name, "polygon", kMore);
     if (entry.behind && !entry.more[1])
       refuse(entry.behind, entry.owner + ": behind is for closed meshes: a \"mesh\", or the polygons of one \"group\"",
              {"give the back a material (\"back\"), or close the mesh"});
     if (entry.more[1]) entry.surface.group = group_of(entry.more[1], entry);
+    if (entry.more[4]) read_body(entry.more[4], entry);
     Polygon3 polygon;
     polygon.points.reserve(entry.points.size());
     for (const JsonValue item : entry.points.items())
@@ -110,6 +113,19 @@ class SpaceReader3 {
     entry.surface.name = std::move(entry.name);
     entry.surface.line = value.line();
     return {std::move(entry.surface), std::move(polygon)};
+  }
+
+  void read_body(const JsonValue& value, const SceneEntry& polygon) {
+    if (!polygon.more[1])
+      refuse(value, polygon.owner + ": body is of the polygons of a \"group\"", {"a body is made of several groups"});
+    Group& group = scene_.groups[polygon.surface.group];
+    std::string name = read_string(value, {polygon.owner, "body"});
+    if (const auto problem = name_problem(name); !problem.empty())
+      refuse(value, polygon.owner + ": the body " + quoted_name(name) + " " + std::string(problem));
+    if (!group.body.empty() && group.body != name)
+      refuse(value, polygon.owner + ": another polygon of the group " + quoted_name(group.name) + " is of the body " +
+                        quoted_name(group.body));
+    group.body = std::move(name);
   }
 
   Point3 read_corner(const JsonValue& value, const Subject& subject, FinestDigit3& finest) const {

@@ -5,6 +5,7 @@
 
 #include "geometry/name.h"
 #include "io/scene/binary_values.h"
+#include "io/scene/space/mesh_names.h"
 #include "io/scene/text_words.h"
 #include "kernel/exact_double.h"
 #include "kernel/support/counted.h"
@@ -25,21 +26,52 @@ bool is_keyword(std::string_view word, std::string_view keyword) {
   return true;
 }
 
+// What a group may be called (name_problem) after a solid: other characters are '_'.
+std::string group_name(std::string_view typed) {
+  const bool is_text = is_utf8(typed);
+  std::string name;
+  for (const char c : typed) {
+    const auto byte = static_cast<unsigned char>(c);
+    name += c == '#' || byte < 0x20 || byte == 0x7F || (!is_text && byte >= 0x80) ? '_' : c;
+  }
+  return name.empty() || name_problem(name).empty() ? name : name + "_";
+}
+
 class TextStl3 {
  public:
   TextStl3(std::string_view text, const std::string& file) : words_(text, file, false) { mesh_.file = file; }
 
   Mesh3 read() {
-    while (const auto word = words_.next()) {
+    std::size_t solids = 0;
+    for (; const auto word = words_.next(); ++solids) {
       require(*word, "solid");
-      words_.rest_of_line();  // its name
+      begin_solid(words_.rest_of_line());
       while (!read_end_or_facet()) {
       }
     }
+    mesh_.is_one_body = solids > 1;
+    if (!mesh_.is_one_body) forget_groups();
     return std::move(mesh_);
   }
 
  private:
+  void begin_solid(std::string_view typed) {
+    name_ = {group_name(typed), words_.line()};
+    typed_ = typed;
+    group_.reset();
+  }
+
+  // The group of the solid, once it has a triangle; none if it has no name.
+  std::optional<std::uint32_t> group() {
+    if (!group_ && !typed_.empty()) group_ = names_.index_of(typed_, name_, mesh_.groups);
+    return group_;
+  }
+
+  void forget_groups() {
+    mesh_.groups.clear();
+    for (MeshFace3& face : mesh_.faces) face.group.reset();
+  }
+
   std::string_view word() {
     if (const auto word = words_.next()) return *word;
     words_.refuse("the file ends before endsolid, after " + std::to_string(mesh_.faces.size()) + " whole triangles");
@@ -74,12 +106,17 @@ class TextStl3 {
     }
     read("endloop");
     read("endfacet");
+    face.group = group();
     mesh_.faces.push_back(std::move(face));
     return false;
   }
 
   TextWords words_;
   Mesh3 mesh_;
+  MeshName3 name_;  // of the solid, as a group may be called
+  std::string typed_;
+  std::optional<std::uint32_t> group_;
+  MeshNames3 names_;
 };
 
 std::uint32_t triangles_of(std::string_view bytes) {

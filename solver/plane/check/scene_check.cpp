@@ -18,6 +18,7 @@
 #include "geometry/plane/visibility/point_location.h"
 #include "geometry/plane/visibility/solid_around.h"
 #include "kernel/support/failure.h"
+#include "solver/check/kelvin_hint.h"
 #include "solver/plane/check/light_findings.h"
 
 namespace hottel {
@@ -116,6 +117,8 @@ SceneCheck2 check_scene(const Scene2& scene, const CheckSources2& sources) {
   } else {
     check_light(*sources.prepared(), contacts.faces, near_misses, sources, check);
   }
+  if (const auto hint = kelvin_hint(scene, check.factors.get()))
+    check.findings.push_back({Severity::kNote, "kelvin", {}, {}, *hint, kKelvinSuggestion});
   sort_findings(check.findings);
   return check;
 }

@@ -1,6 +1,7 @@
 #include "solver/space/check/lost_light.h"
 
 #include "geometry/space/check/mesh_findings.h"
+#include "geometry/space/check/shells.h"
 #include "geometry/space/check/sight_findings.h"
 
 namespace hottel {
@@ -16,9 +17,10 @@ bool is_any_lost(const ExchangeMatrix& matrix) {
 }  // namespace
 
 Findings3 lost_light_warnings(const Scene3& scene, const ExchangeMatrix& matrix) {
-  if (!is_any_lost(matrix)) return {};
-  Findings3 findings = sight_findings(scene, find_meshes(scene), matrix, false);
+  Findings3 findings;
+  if (is_any_lost(matrix)) findings = sight_findings(scene, find_meshes(scene), matrix, false);
   std::erase_if(findings, [](const Finding3& finding) { return finding.kind != "black-back"; });
+  tell_inside_out(scene, inside_out_shells(scene), findings);
   return findings;
 }
 

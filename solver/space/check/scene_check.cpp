@@ -10,6 +10,7 @@
 #include "geometry/name.h"
 #include "geometry/space/check/contact_findings.h"
 #include "geometry/space/check/mesh_findings.h"
+#include "geometry/space/check/shells.h"
 #include "geometry/space/check/sight_findings.h"
 #include "geometry/space/check/solid_findings.h"
 #include "geometry/space/check/wording.h"
@@ -17,9 +18,11 @@
 #include "geometry/space/exchange/prepared_scene.h"
 #include "geometry/unmeasured_pairs.h"
 #include "kernel/support/failure.h"
+#include "solver/check/kelvin_hint.h"
 #include "solver/check/light_errors.h"
 #include "solver/check/light_fates.h"
 #include "solver/space/check/middle_views.h"
+#include "solver/space/check/widest_gap.h"
 
 namespace hottel {
 namespace {
@@ -73,8 +76,10 @@ std::shared_ptr<const PreparedScene3> prepared_scene(const Scene3& scene, const 
     const FileLine& where = error.where();
     const std::string place = where.file + (where.line > 0 ? ":" + std::to_string(where.line) : "") + ": ";
     Finding3 finding{Severity::kError, "conflicting-claims"};
-    for (std::uint32_t s = 0; s < scene.surfaces.size() && finding.surfaces.empty(); ++s)
-      if (where.line > 0 && scene.surfaces[s].line == where.line) finding.surfaces = {s};
+    for (std::uint32_t s = 0; s < scene.surfaces.size() && finding.surfaces.empty(); ++s) {
+      const FileLine own = place_of(scene, scene.surfaces[s]);
+      if (where.line > 0 && own.line == where.line && own.file == where.file) finding.surfaces = {s};
+    }
     finding.message = std::string(error.what()).substr(place.size());
     if (!error.hints().empty()) finding.suggestion = error.hints().front();
     findings.push_back(std::move(finding));
@@ -116,8 +121,7 @@ void tell_lights_in_solids(const Scene3& scene, std::span<const LightShares> lig
                           "move it out, or turn that mesh around where a room was meant"});
 }
 
-void check_light(const PreparedScene3& prepared, const Meshes3& meshes, const CheckSources3& sources,
-                 SceneCheck3& check) {
+void check_light(const PreparedScene3& prepared, Meshes3 meshes, const CheckSources3& sources, SceneCheck3& check) {
   const std::size_t count = faces_with_material(prepared.scene);
   const bool is_whole = count <= kMostFacesChecked3;
   std::shared_ptr<const ExchangeMatrix> matrix;
@@ -131,6 +135,7 @@ void check_light(const PreparedScene3& prepared, const Meshes3& meshes, const Ch
     tell_unchecked(error.what(), "check a part of the scene", check.findings);
     return;
   }
+  if (prepared.scene.closed || is_whole) meshes.leak = widest_gap(meshes, prepared, *matrix);
   append(check.findings, sight_findings(prepared.scene, meshes, *matrix, is_whole));
   const std::vector<LightShares> lights = sources.lights ? sources.lights() : std::vector<LightShares>();
   tell_lights_in_solids(prepared.scene, lights, check.findings);
@@ -161,9 +166,12 @@ SceneCheck3 check_scene(const Scene3& scene, const CheckSources3& sources) {
     SolidFindings3 solids = solid_findings(scene, prepared->arrangement().solids());
     append(check.findings, std::move(solids.findings));
     check_light(*prepared, meshes, sources, check);
+    tell_inside_out(scene, inside_out_shells(scene), check.findings);
     leave_out_consequences(scene, solids.is_held, check.findings);
   }
   tell_materials(scene, check.findings);
+  if (const auto hint = kelvin_hint(scene, check.factors.get()))
+    add_unplaced(check.findings, Severity::kNote, "kelvin", *hint, kKelvinSuggestion);
   sort_findings(check.findings);
   return check;
 }

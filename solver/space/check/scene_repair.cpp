@@ -9,7 +9,9 @@ namespace hottel {
 Repair3 repair_scene(const Scene3& scene, const Rational& distance, const SceneCheck3& before,
                      const std::function<SceneCheck3(const Scene3&)>& check_written) {
   const auto reversed = [](Repair3 repair) {
+    drop_doubles(repair);
     reverse_upside_down(repair);
+    reverse_inside_out(repair);
     return repair;
   };
   std::vector<std::function<Repair3()>> ways{[&] { return reversed(unrepaired(scene)); },

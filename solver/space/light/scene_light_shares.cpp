@@ -75,7 +75,7 @@ LightShares LitElements3::compute(const Scene3& scene, std::size_t light) const 
   result.sky = shares.sky.bounds;
   if (shares.is_in_solid) {
     const Solids3& solids = prepared_->arrangement().solids();
-    result.solid = scene.groups[solids.meshes()[*solids.around(place.position)].group].name;
+    result.solid = solids.meshes()[*solids.around(place.position)].name;
   }
   return result;
 }

@@ -153,6 +153,30 @@ TEST(Solids3, AGroupThatIsSaidToBeSolidMustBe) {
   for (const BoxScene3* scene : {&open, &room, &with_back}) EXPECT_THAT(refusal(*scene), HasSubstr("'box'"));
 }
 
+TEST(Solids3, GroupsOfABodyAreAskedTogetherWhereNoneClosesAlone_2) {
+  BoxScene3 scene;
+  scene.box("a", {0, 0, 0}, {1, 1, 1});
+  scene.groups.emplace_back("lid");
+  scene.surfaces[kTop].group = 1;
+  EXPECT_TRUE(Solids3(scene).meshes().empty());
+  for (Group& group : scene.groups) group.body = "whole";
+  const Solids3 solids(scene);
+  ASSERT_EQ(solids.meshes().size(), 1u);
+  EXPECT_EQ(solids.meshes()[0].name, "whole");
+  EXPECT_EQ(solids.meshes()[0].kind, Kind::kSolid);
+  EXPECT_EQ(solids.mesh_of(0), &solids.meshes()[0]);
+  EXPECT_EQ(solids.mesh_of(1), &solids.meshes()[0]);
+  EXPECT_EQ(solids.around({kHalf, kHalf, kHalf}), 0u);
+  // A third one that closes alone: the two are asked alone, and do not.
+  scene.box("b", {2, 0, 0}, {3, 1, 1});
+  scene.groups.back().body = "whole";
+  ASSERT_EQ(Solids3(scene).meshes().size(), 1u);
+  EXPECT_EQ(Solids3(scene).meshes()[0].name, "b");
+  EXPECT_EQ(Solids3(scene).around({kHalf, kHalf, kHalf}), std::nullopt);
+  scene.groups[1].behind = Behind::kSolid;
+  EXPECT_THAT(refusal_by([&] { Solids3{scene}; }), HasSubstr("'lid' cannot be solid"));
+}
+
 TEST(Solids3, TheMeshOfAGroupIsFoundByItsNumber) {
   BoxScene3 scene;
   scene.polygon("sheet", level(5, 5, 6, 6, 0));

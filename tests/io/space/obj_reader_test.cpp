@@ -144,7 +144,34 @@ TEST(ObjReader, PassesOverCornersThatRepeatTheOneBeforeAndCountsThem) {
   PassedOver passed_over;
   const Mesh3 mesh = parse_obj_3(kSquare + "v 1 1 0.0\nf 1 2 3 3\nf 1 1 3 5 4 1\n", "in/room.obj", source_of({}));
   EXPECT_EQ(write_scene_3(scene_of(mesh, nullptr, &passed_over).scene), plain);
-  EXPECT_EQ(passed_over.repeated_points, 4u);
+  EXPECT_EQ(passed_over.note(), "4 repeated points passed over, the first of 'room[0]' at in/room.obj:6");
+}
+
+TEST(ObjReader, PassesOverFacesWithoutAreaUnlessNoneHasAny_3) {
+  PassedOver passed_over;
+  const Mesh3 mesh =
+      parse_obj_3(kSquare + "v 2 0 0\ng a\nf 1 2 1\nf 1 2 5\nf 1 2 3\ng b\nf 2 5 2\n", "in/room.obj", source_of({}));
+  const Scene3 scene = scene_of(mesh, nullptr, &passed_over).scene;
+  ASSERT_EQ(scene.surfaces.size(), 1u);
+  EXPECT_EQ(scene.surfaces[0].name, "a[2]");
+  EXPECT_EQ(scene.groups.size(), 1u);
+  EXPECT_EQ(passed_over.note(), "3 faces without area passed over, the first 'a[0]' at in/room.obj:7");
+}
+
+TEST(ObjReader, WhatIsTypedAfterGDecidesWhichGroupItIs) {
+  EXPECT_EQ(lines(kSquare + "g A # one\nf 1 2 3\ng A # two\nf 1 3 4\ng A  # one\nf 1 2 4\ng A # one\nf 2 3 4\n"),
+            (std::vector<std::string>{"A[0]: 0,0,0 1,0,0 1,1,0", "A~2[0]: 0,0,0 1,1,0 0,1,0",
+                                      "A~3[0]: 0,0,0 1,0,0 0,1,0", "A[1]: 1,0,0 1,1,0 0,1,0"}));
+  EXPECT_EQ(names(kSquare + "g A~2\nf 1 2 3\ng A\nf 1 3 4\ng A #\nf 1 2 4\n"),
+            (std::vector<std::string>{"A~2 A~2[0]", "A A[0]", "A~3 A~3[0]"}));
+}
+
+TEST(ObjReader, PassesOverLinesAndPoints) {
+  PassedOver passed_over;
+  const Mesh3 mesh = parse_obj_3(kSquare + "l 1 2\np 3\nf 1 2 3\nl 9\n", "in/room.obj", source_of({}));
+  scene_of(mesh, nullptr, &passed_over);
+  EXPECT_EQ(passed_over.note(),
+            "1 point passed over at in/room.obj:6\n2 lines passed over, the first at in/room.obj:5");
 }
 
 TEST(ObjReader, KeepsTheLineOfAFace) { EXPECT_EQ(read(kSquare + "\nf 1 2 3\n").scene.surfaces[0].line, 6); }
@@ -154,8 +181,8 @@ TEST(ObjReader, RefusesFacesThatAreNoPolygonsByNameAndLine) {
               StartsWith("in/room.obj:6: face 'box[0]' is not plane: points lie 0.1"));
   EXPECT_EQ(refusal("v 0 0 0\nv 2 0 0\nv 0 2 0\nv 2 2 0\nf 1 2 3 4\n"),
             "in/room.obj:5: face 'room[0]' crosses itself at the point (1, 1, 0)");
-  EXPECT_EQ(refusal(kSquare + "f 1 2 3\nf 1 2 1\n"),
-            "in/room.obj:6: face 'room[1]' has no area: it has fewer than three points that differ");
+  EXPECT_EQ(refusal(kSquare + "f 2 1 2\nf 1 2 1\n"),
+            "in/room.obj:5: face 'room[0]' has no area: it has fewer than three points that differ");
   EXPECT_EQ(refusal(kSquare + "f 1 2 3 1 4\n"), "in/room.obj:5: face 'room[0]' has the point (0, 0, 0) twice");
   EXPECT_EQ(refusal("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"),
             "in/room.obj:4: face 'room[0]' has no area: its points lie on one line");
@@ -176,8 +203,8 @@ TEST(ObjReader, PassesOverWhatIsNeitherShapeNorLight) {
 TEST(ObjReader, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(refusal(kSquare + "F 1 2 3\n"), "in/room.obj:5: the keyword 'F' is not known");
   EXPECT_EQ(refusal(kSquare + "\x01\xff 1 2 3\n"), "in/room.obj:5: the keyword '\\x01\\xFF' is not known");
-  for (const char* keyword : {"l 1 2", "p 1", "curv 0 1 1 2", "vp 1 2", "cstype bezier"})
-    EXPECT_THAT(refusal(kSquare + keyword + "\n"), HasSubstr("points, lines and curved surfaces are no plane faces"));
+  for (const char* keyword : {"curv 0 1 1 2", "vp 1 2", "cstype bezier"})
+    EXPECT_THAT(refusal(kSquare + keyword + "\n"), HasSubstr("curved surfaces are no plane faces"));
 }
 
 TEST(ObjReader, RefusesWhatIsNoMesh) {
@@ -236,12 +263,23 @@ TEST(ObjReader, RefusesMaterialsThatAreNotThere) {
             "in/room.obj:6: the material 'white' is not defined");
 }
 
-TEST(ObjReader, RefusesAMissingMtlFileWhereItIsNamed) {
+TEST(ObjReader, PassesOverAMissingMtlFileWhereNoMaterialOfItIsNeeded) {
   const TextSource none = [](const std::filesystem::path& file) -> std::string {
-    throw InputError({file.string(), 0}, "there is no such file");
+    throw MissingFile({file.string(), 0}, "there is no such file");
   };
-  EXPECT_EQ(refusal_by([&] { parse_obj_3(kSquare + "mtllib no.mtl\nf 1 2 3\n", "in/room.obj", none); }),
-            "in/room.obj:5: the file of materials in/no.mtl: there is no such file");
+  PassedOver passed_over;
+  const Mesh3 mesh = parse_obj_3(kSquare + "mtllib no.mtl\nusemtl a\nf 1 2 3\n", "in/room.obj", none);
+  EXPECT_EQ(scene_of(mesh, nullptr, &passed_over).scene.materials[0].name, "a");
+  EXPECT_EQ(passed_over.note(), "1 missing file of materials passed over: 'in/no.mtl' at in/room.obj:5");
+  // One that is there says what its materials are; what only the other could say is refused.
+  const TextSource one = [](const std::filesystem::path& file) -> std::string {
+    if (file == "in/a.mtl") return "newmtl a\n";
+    throw MissingFile({file.string(), 0}, "there is no such file");
+  };
+  const std::string both = kSquare + "mtllib a.mtl\nmtllib no.mtl\n";
+  EXPECT_EQ(refusal_by([&] { scene_of(parse_obj_3(both + "usemtl a\nf 1 2 3\n", "in/room.obj", one)); }), "");
+  EXPECT_EQ(refusal_by([&] { scene_of(parse_obj_3(both + "usemtl b\nf 1 2 3\n", "in/room.obj", one)); }),
+            "in/room.obj:7: the material 'b' is not defined");
 }
 
 TEST(ObjReader, RefusesWrongMtlFilesByTheirLines) {

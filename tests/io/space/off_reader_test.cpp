@@ -69,14 +69,15 @@ TEST(OffReader, RefusesOtherHeaders) {
 
 TEST(OffReader, RefusesFacesThatAreNone) {
   const std::string kNoAreaLeft =
-      "in/room.off:8: face 'room[1]' has no area: it has fewer than three points that differ";
+      "in/room.off:7: face 'room[0]' has no area: it has fewer than three points that differ";
   EXPECT_EQ(refusal(kVertices + "3 0 1 2\n2 0 1\n"), "in/room.off:8: face 1 has fewer than three vertices: 2");
   EXPECT_EQ(refusal(kVertices + "3 0 1 2\n-3 0 1\n"), "in/room.off:8: face 1 has fewer than three vertices: -3");
   for (const char* vertex : {"4", "-1", "9223372036854775807"})
     EXPECT_EQ(refusal(kVertices + "3 0 1 2\n3 0 1 " + vertex),
               "in/room.off:8: the vertex " + std::string(vertex) + " of face 1 is none of the 4, counted from 0");
   EXPECT_EQ(refusal(kVertices + "3 0 1 2\n3 0 1 2.0"), "in/room.off:8: a vertex of face 1 is not an integer: '2.0'");
-  EXPECT_EQ(refusal(kVertices + "3 0 1 2\n3 0 1 1\n"), kNoAreaLeft);
+  EXPECT_EQ(refusal(kVertices + "3 0 1 0\n3 0 1 1\n"), kNoAreaLeft);
+  EXPECT_EQ(refusal(kVertices + "3 0 1 2\n3 0 1 1\n"), "");
   EXPECT_EQ(refusal("OFF\n4 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 0\n4 0 1 2 3\n"),
             "in/room.off:7: face 'room[0]' has no area: its points lie on one line");
 }

@@ -165,8 +165,9 @@ TEST(PlyReader, RefusesFacesThatAreNone) {
             "in/room.ply:15: the vertex -1 of face 1 is none of the 4, counted from 0");
   EXPECT_EQ(refusal(kTwoTriangles + "3 0 1 2\n-1\n"), "in/room.ply:15: the list 'vertex_indices' has the length -1");
   EXPECT_EQ(refusal(kTwoTriangles + "3 0 1 2\n3 0 1 x\n"), "in/room.ply:15: vertex_indices is not an integer: 'x'");
-  EXPECT_EQ(refusal(kTwoTriangles + "3 0 1 2\n3 0 1 1\n"),
-            "in/room.ply:15: face 'room[1]' has no area: it has fewer than three points that differ");
+  EXPECT_EQ(refusal(kTwoTriangles + "3 0 1 0\n3 0 1 1\n"),
+            "in/room.ply:14: face 'room[0]' has no area: it has fewer than three points that differ");
+  EXPECT_EQ(refusal(kTwoTriangles + "3 0 1 2\n3 0 1 1\n"), "");
   std::string binary = binary_triangle<float>("float", std::endian::little);
   const std::string face = std::to_string(binary.size() - 13);
   binary.replace(binary.size() - 4, 4, bytes<std::int32_t>(3));

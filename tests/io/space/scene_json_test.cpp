@@ -212,6 +212,9 @@ TEST(SceneJson3, AddsMeshesAfterPolygons) {
   EXPECT_EQ(scene.surfaces[2].elements, 2u);
   EXPECT_EQ(scene.surfaces[2].line, 3);
   EXPECT_EQ(scene.surfaces[4].line, 5);
+  EXPECT_EQ(place_of(scene, scene.surfaces[0]).file, "in/scene.json");
+  EXPECT_EQ(place_of(scene, scene.surfaces[2]).file, "in/a.obj");
+  EXPECT_EQ(place_of(scene, scene.surfaces[2]).line, 8);
   ASSERT_EQ(scene.materials.size(), 3u);
   EXPECT_EQ(scene.materials[2].name, "x");
   EXPECT_EQ(scene.materials[2].reflectivity, Spectrum::scalar(Rational(1) / 4));

@@ -44,13 +44,36 @@ TEST(StlReader, ReadsTextExactlyAndTrustsNoNormal) {
 
 TEST(StlReader, KeywordsMayBeCapitalsAndSolidsSeveral) {
   std::string capitals = "solid\n" + kFirst + "endsolid\nsolid facet\n" + kSecond + "endsolid facet";
-  EXPECT_EQ(lines(capitals), kRead);
-  EXPECT_EQ(lines("\n" + capitals), kRead);
+  const std::vector<std::string> read_small{kRead[0], "facet[0]" + kRead[1].substr(7)};
+  const std::vector<std::string> read_large{kRead[0], "FACET[0]" + kRead[1].substr(7)};
+  EXPECT_EQ(lines(capitals), read_small);
+  EXPECT_EQ(lines("\n" + capitals), read_small);
   for (char& c : capitals)
     if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
   for (std::size_t at = capitals.find('\n'); at != std::string::npos; at = capitals.find('\n', at + 2))
     capitals.replace(at, 1, "\r\n");
-  EXPECT_EQ(lines(capitals), kRead);
+  EXPECT_EQ(lines(capitals), read_large);
+}
+
+TEST(StlReader, SolidsAreGroupsByNameOfOneBody) {
+  const auto names = [](const std::string& text) {
+    std::vector<std::string> result;
+    const Scene3 scene = read(text);
+    for (const Surface& surface : scene.surfaces)
+      result.push_back(scene.groups[surface.group].body + "/" + scene.groups[surface.group].name + "/" + surface.name);
+    return result;
+  };
+  const auto solid = [](const std::string& name, const std::string& facets) {
+    return "solid " + name + "\n" + facets + "endsolid\n";
+  };
+  EXPECT_EQ(names(solid("one", kFirst + kSecond)), (std::vector<std::string>{"/room/room[0]", "/room/room[1]"}));
+  EXPECT_EQ(names(solid("hot wall", kFirst) + solid("in", kSecond) + solid("hot wall", kFirst) + solid("", kSecond)),
+            (std::vector<std::string>{"room/hot wall/hot wall[0]", "room/in/in[0]", "room/hot wall/hot wall[1]",
+                                      "room/room/room[0]"}));
+  // Names that cannot be any are cleaned, and kept apart.
+  EXPECT_EQ(names(solid("a#1", kFirst) + solid("a_1", kSecond) + solid("sky", kFirst) + solid("x:back", kSecond)),
+            (std::vector<std::string>{"room/a_1/a_1[0]", "room/a_1~2/a_1~2[0]", "room/sky_/sky_[0]",
+                                      "room/x:back_/x:back_[0]"}));
 }
 
 TEST(StlReader, RefusesKeywordsThatDoNotFollow) {
@@ -107,10 +130,14 @@ TEST(StlReader, RefusesWrongTrianglesOfABinaryFileByTheirByte) {
   for (const float x : {std::nanf(""), std::numeric_limits<float>::infinity()})
     EXPECT_EQ(refusal(binary("", {good, {0, 0, 0, 1, x, 0, 0, 1, 1}})),
               "in/room.stl: a coordinate of triangle 1 is not finite (byte 162)");
-  EXPECT_EQ(refusal(binary("", {good, {0, 0, 0, 1, 0, 0, 2, 0, 0}})),
-            "in/room.stl: face 'room[1]' has no area: its points lie on one line (byte 134)");
-  EXPECT_EQ(refusal(binary("", {good, {0, 0, 0, 1, 0, 0, -0.0f, 0, -0.0f}})),
-            "in/room.stl: face 'room[1]' has no area: it has fewer than three points that differ (byte 134)");
+  EXPECT_EQ(refusal(binary("", {{0, 0, 0, 1, 0, 0, 2, 0, 0}})),
+            "in/room.stl: face 'room[0]' has no area: its points lie on one line (byte 84)");
+  EXPECT_EQ(refusal(binary("", {{0, 0, 0, 1, 0, 0, -0.0f, 0, -0.0f}})),
+            "in/room.stl: face 'room[0]' has no area: it has fewer than three points that differ (byte 84)");
+  PassedOver passed_over;
+  const Mesh3 mesh = parse_stl_3(binary("", {good, {0, 0, 0, 1, 0, 0, 2, 0, 0}, good}), "in/room.stl");
+  EXPECT_EQ(scene_of(mesh, nullptr, &passed_over).scene.surfaces[1].name, "room[2]");
+  EXPECT_EQ(passed_over.note(), "1 face without area passed over: 'room[1]' at in/room.stl (byte 134)");
   EXPECT_EQ(refusal(binary("", {})), "in/room.stl: has no triangles");
 }
 

@@ -89,6 +89,7 @@ TEST(SceneCheck3, AClosedMeshWithDarkFrontsInsideIsInsideOut) {
               ElementsAre("warning inside-out box.bottom box.top box.front box.rear box.left box.right"));
   scene.surfaces.back().material = 1;  // a lamp shines there: a room
   EXPECT_THAT(told_of(scene), Contains(HasSubstr("warning black-back box.bottom")));
+  EXPECT_THAT(told_of(scene), Contains(HasSubstr("warning inside-out box.bottom")));
 }
 
 TEST(SceneCheck3, AnEmptyDarkRoomIsAskedAbout) {
@@ -120,6 +121,12 @@ TEST(SceneCheck3, WhatABoxStandsOnWhollyIsCovered) {
   EXPECT_THAT(told_of(scene), ElementsAre("note covered box.bottom"));
   scene.surfaces[6].material = 1;
   EXPECT_THAT(told_of(scene), ElementsAre("warning covered box.bottom"));
+  // Not where what it stands on is as warm.
+  set_grey_body(Spectrum::scalar(Rational(9, 10)), Spectrum::scalar(300), scene.materials[0]);
+  for (const auto& [temperature, told_as] : {std::pair(300, "note"), {310, "warning"}}) {
+    set_grey_body(Spectrum::scalar(Rational(1, 2)), Spectrum::scalar(temperature), scene.materials[1]);
+    EXPECT_THAT(told_of(scene), ElementsAre(told_as + std::string(" covered box.bottom")));
+  }
 }
 
 TEST(SceneCheck3, ASolidInFreeSpaceSeesOnlyTheSky) {

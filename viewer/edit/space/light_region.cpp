@@ -56,10 +56,10 @@ std::string light_refusal(const Scene3& scene, std::uint32_t light, const Solids
   if (const std::string problem = light_place_problem(scene, scene.lights[light], place); !problem.empty())
     return scene.lights[light].name + " " + problem;
   if (const auto mesh = solids.around(place.position))
-    return "there is " + solid_text(scene, solids.meshes()[*mesh].group);
+    return "there is the solid " + quoted_name(solids.meshes()[*mesh].name);
   const ClosedMesh3* room = before != nullptr ? room_around(scene, solids, *before) : nullptr;
   if (room != nullptr && room_around(scene, solids, place.position) == nullptr)
-    return "that is outside of the room " + quoted_name(scene.groups[room->group].name);
+    return "that is outside of the room " + quoted_name(room->name);
   return "";
 }
 

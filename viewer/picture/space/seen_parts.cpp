@@ -205,8 +205,8 @@ void for_each_seen_part(const SeenScene3& scene, const Camera3& camera,
                         const std::function<void(const SeenPart3&)>& take) {
   const PreparedScene3& prepared = scene.prepared;
   if (const auto mesh = prepared.arrangement().solids().around(camera.eye))
-    throw RequestError("the camera's eye is in the solid '" +
-                       prepared.scene.groups[prepared.arrangement().solids().meshes()[*mesh].group].name + "'");
+    throw RequestError("the camera's eye is in the solid '" + prepared.arrangement().solids().meshes()[*mesh].name +
+                       "'");
   const Vector3 forward = camera.target - camera.eye;
   const PointMap3 map =
       map_from(prepared.blockers(), {.eye = camera.eye, .normal = Point3{forward.x, forward.y, forward.z}});

@@ -22,10 +22,10 @@ constexpr double kFreeSides = 40, kFreeTop = 64, kFreeBottom = 134;  // units ar
 }  // namespace
 
 Desk2::Desk2(const std::filesystem::path& file, Window& window, SimulationRequest2 request, double scale,
-             std::optional<Scene2> read)
+             std::optional<Scene2> read, MapSide2 side)
     : window_(window),
       unit_(scale),
-      file_(file),
+      file_(file, side),
       editor_(read ? std::move(*read) : file_.read()),
       looks_(std::move(request), [&window] { window.wake(); }),
       size_(window.size()) {

@@ -42,9 +42,9 @@ inline constexpr double kPanelWidth = 0.36;
 class Desk2 : public Desk {
  public:
   // Reads the file. Throws InputError. scale: of letters and lines. REQUIRES: the window outlives it.
-  // read: the scene of the file, where that has been read just now.
+  // read: the scene of the file, where that has been read just now. side: from which polygons of a map are seen.
   Desk2(const std::filesystem::path& file, Window& window, SimulationRequest2 request, double scale,
-        std::optional<Scene2> read = {});
+        std::optional<Scene2> read = {}, MapSide2 side = MapSide2::kInside);
 
   void handle(const WindowEvent& event) override;
   // Does what a key of that name does (commands.h), at the mouse. Throws UsageError for other names.

@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include "geometry/name.h"
 #include "geometry/scene_names.h"
 #include "io/files/output_file.h"
 #include "io/results/factor_files.h"
@@ -111,7 +112,7 @@ void Desk3::see(const EyeCamera3& camera) {
   if (const auto& version = state().version)
     if (const auto mesh = version->model().prepared.arrangement().solids().around(camera.camera(size_).eye)) {
       const Solids3& solids = version->model().prepared.arrangement().solids();
-      message_ = "there is " + solid_text(version->scene(), solids.meshes()[*mesh].group);
+      message_ = "there is the solid " + quoted_name(solids.meshes()[*mesh].name);
       return;
     }
   camera_ = camera;
