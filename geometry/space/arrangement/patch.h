@@ -32,4 +32,10 @@ struct Patch3 {
   bool is_far() const { return weight == 0; }
 };
 
+// The direction of its front, of any length. REQUIRES: it is not far.
+inline IntegerVector normal_of(const Patch3& patch) {
+  const auto& corners = patch.corners;
+  return cross(difference(corners[1], corners[0]), difference(corners[2], corners[1]));
+}
+
 }  // namespace hottel

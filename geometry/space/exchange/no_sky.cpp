@@ -1,41 +1,19 @@
 #include "geometry/space/exchange/no_sky.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "geometry/space/arrangement/closed_hull.h"
+#include "geometry/space/arrangement/edge_components.h"
 #include "geometry/space/arrangement/surface_boxes.h"
+#include "geometry/space/exchange/stretch_parts.h"
 
 namespace hottel {
 namespace {
 
 // So many polygons are asked about, times those of the shell.
 constexpr std::size_t kMostQuestions = 1'000'000;
-
-// Polygons that hang together by edges, and how many each edge has.
-struct Components {
-  std::vector<std::vector<std::uint32_t>> polygons, of_edge;
-  std::vector<std::uint32_t> of_polygon;
-
-  explicit Components(const Blockers3& blockers) : of_edge(blockers.edge_count()), of_polygon(blockers.size(), kNone) {
-    for (std::uint32_t s = 0; s < blockers.size(); ++s)
-      for (const DirectedEdge3& side : blockers.edges(s)) of_edge[side.edge.index()].push_back(s);
-    for (std::uint32_t s = 0; s < blockers.size(); ++s) {
-      if (of_polygon[s] != kNone) continue;
-      const auto number = static_cast<std::uint32_t>(polygons.size());
-      std::vector<std::uint32_t>& all = polygons.emplace_back(1, s);
-      of_polygon[s] = number;
-      for (std::size_t k = 0; k < all.size(); ++k)
-        for (const DirectedEdge3& side : blockers.edges(all[k]))
-          for (const std::uint32_t next : of_edge[side.edge.index()])
-            if (std::exchange(of_polygon[next], number) == kNone) all.push_back(next);
-    }
-  }
-
-  static constexpr std::uint32_t kNone = 0xffffffff;
-};
 
 // A closed shell: +1 or -1 for each of its polygons, so that all are seen from one side.
 struct Shell {
@@ -46,12 +24,12 @@ struct Shell {
 
 // Turns the polygons of a component so that each edge is passed in both directions; nothing where they cannot be.
 // `turn_of`, 0 for its polygons, is set for them.
-std::optional<Shell> shell_of(const Blockers3& blockers, const Components& components, const SurfaceBoxes3& boxes,
+std::optional<Shell> shell_of(const Blockers3& blockers, const EdgeComponents3& components, const SurfaceBoxes3& boxes,
                               std::uint32_t component, std::vector<signed char>& turn_of) {
-  const std::vector<std::uint32_t>& polygons = components.polygons[component];
+  const std::vector<std::uint32_t>& polygons = components.all()[component];
   for (const std::uint32_t s : polygons)
     for (const DirectedEdge3& side : blockers.edges(s))
-      if (components.of_edge[side.edge.index()].size() != 2) return std::nullopt;
+      if (components.of_edge(side.edge).size() != 2) return std::nullopt;
   std::vector<std::pair<std::uint32_t, int>> turned{{polygons.front(), 1}};
   turn_of[polygons.front()] = 1;
   const auto passes = [&](std::uint32_t s, EdgeId3 edge) {
@@ -63,7 +41,7 @@ std::optional<Shell> shell_of(const Blockers3& blockers, const Components& compo
     const auto [s, turn] = turned[k];
     shell.box.include(boxes.of(s));
     for (const DirectedEdge3& side : blockers.edges(s))
-      for (const std::uint32_t next : components.of_edge[side.edge.index()]) {
+      for (const std::uint32_t next : components.of_edge(side.edge)) {
         if (next == s) continue;
         const int needed = -turn * passes(s, side.edge) * passes(next, side.edge);
         if (turn_of[next] == 0) {
@@ -163,23 +141,10 @@ bool touches_itself(const Blockers3& blockers, const Shell& shell) {
 }
 
 // Whether a stretch in the plane of a surface enters the inside of it.
-bool enters(const Blockers3& blockers, std::uint32_t surface, const Stretch3& s) {
-  const auto corners = blockers.outline(surface);
-  const IntegerVector end = sum(s.from, s.way);
-  Rational low = 0, high = 1;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const IntegerVector& corner = blockers.vertices().exact(corners[k]);
-    const IntegerVector side = difference(blockers.vertices().exact(corners[(k + 1) % corners.size()]), corner);
-    const IntegerVector across = cross(blockers.exact_normal(surface), side);
-    const auto value = [&](const IntegerVector& p) { return dot(across, difference(p, multiple(s.weight, corner))); };
-    const Integer at_from = value(s.from), at_end = value(end);
-    if (sgn(at_from) <= 0 && sgn(at_end) <= 0) return false;
-    if (sgn(at_from) >= 0 && sgn(at_end) >= 0) continue;
-    Rational zero(at_from, at_from - at_end);
-    zero.canonicalize();
-    (sgn(at_from) < 0 ? low : high) = sgn(at_from) < 0 ? std::max(low, zero) : std::min(high, zero);
-  }
-  return low < high;
+bool enters(const Blockers3& blockers, std::uint32_t surface, const Stretch3& stretch) {
+  std::vector<WeightedPoint3> corners;
+  for (const VertexId3 v : blockers.outline(surface)) corners.push_back({blockers.vertices().exact(v), 1});
+  return part_inside(stretch, corners, blockers.exact_normal(surface)).has_value();
 }
 
 }  // namespace
@@ -193,12 +158,12 @@ NoSky3::NoSky3(const Blockers3& polygons, const MergedBlockers3& merged, const S
       sides_[is_back][m] =
           std::ranges::all_of(merged.members(m), [&](std::uint32_t s) { return hull.sees_no_sky(s, is_back); });
   }
-  const Components components(polygons);
+  const EdgeComponents3 components(polygons);
   const SurfaceBoxes3 boxes(polygons);
   std::vector<Shell> shells;
   std::vector<signed char> turn_of(polygons.size(), 0);
-  for (std::uint32_t c = 0; c < components.polygons.size(); ++c)
-    if (components.polygons[c].size() > 3)
+  for (std::uint32_t c = 0; c < components.all().size(); ++c)
+    if (components.all()[c].size() > 3)
       if (std::optional<Shell> shell = shell_of(polygons, components, boxes, c, turn_of))
         shells.push_back(std::move(*shell));
   if (shells.empty()) return;
@@ -209,7 +174,7 @@ NoSky3::NoSky3(const Blockers3& polygons, const MergedBlockers3& merged, const S
       for (const AtomicStretch3& ground : stretches.grounds(m, is_back)) {
         if (!enters(surfaces, m, ground.stretch)) continue;
         for (const StretchFace3& face : ground.faces)
-          for (const std::uint32_t s : merged.members(face.surface)) on[m].push_back(components.of_polygon[s]);
+          for (const std::uint32_t s : merged.members(face.surface)) on[m].push_back(components.of_polygon(s));
       }
     std::ranges::sort(on[m]);
     on[m].erase(std::unique(on[m].begin(), on[m].end()), on[m].end());
@@ -220,7 +185,7 @@ NoSky3::NoSky3(const Blockers3& polygons, const MergedBlockers3& merged, const S
   std::array<std::vector<bool>, 2> is_within{std::vector<bool>(polygons.size()), std::vector<bool>(polygons.size())};
   std::vector<std::uint32_t> others;
   for (const Shell& shell : shells) {
-    const std::vector<std::uint32_t>& own = components.polygons[shell.component];
+    const std::vector<std::uint32_t>& own = components.all()[shell.component];
     if (std::ranges::any_of(own, [&](std::uint32_t s) { return stands_on(shell.component, s); })) continue;
     if (touches_itself(polygons, shell)) continue;
     const WindingNumber winding(polygons, shell);
@@ -232,7 +197,7 @@ NoSky3::NoSky3(const Blockers3& polygons, const MergedBlockers3& merged, const S
     others.clear();
     boxes.find(shell.box, others);
     std::erase_if(others, [&](std::uint32_t s) {
-      return components.of_polygon[s] == shell.component || stands_on(shell.component, s);
+      return components.of_polygon(s) == shell.component || stands_on(shell.component, s);
     });
     if (others.size() * shell.polygons.size() > kMostQuestions) continue;
     for (const std::uint32_t s : others)

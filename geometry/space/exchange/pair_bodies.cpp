@@ -86,8 +86,7 @@ void PairBodies3::add_patch(const Blockers3& blockers, const Patch3& patch) {
                                ? add_point(corner, patch.weight, approximate)
                                : static_cast<std::uint32_t>(known - points.begin()));
   }
-  normal =
-      primitive(cross(difference(patch.corners[1], patch.corners[0]), difference(patch.corners[2], patch.corners[1])));
+  normal = primitive(normal_of(patch));
   body.normal = rounded(normal, std::max(0L, bits(normal) - 53));
   bodies.push_back(std::move(body));
 }

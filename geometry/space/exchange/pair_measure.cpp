@@ -261,9 +261,7 @@ struct PairMeasurer3::Prepared {
 
   // Whether it is known at once that a patch of one of the surfaces sees no sky.
   bool sees_no_sky(const Patch3& patch) const {
-    const IntegerVector normal =
-        cross(difference(patch.corners[1], patch.corners[0]), difference(patch.corners[2], patch.corners[1]));
-    return no_sky.has(patch.surface, dot_sign(normal, blockers.exact_normal(patch.surface)) < 0);
+    return no_sky.has(patch.surface, dot_sign(normal_of(patch), blockers.exact_normal(patch.surface)) < 0);
   }
 
   // A patch as one of the surface that its polygon is part of: itself where that has the same number, else `copy`.

@@ -53,7 +53,6 @@ PairSetting3::PairSetting3(const Blockers3& blockers, const SurfaceBoxes3& boxes
     near.erase(middle, near.end());
   }
   add_bodies(blockers, near);
-  if (sight == Sight3::kMixed) add_solids(blockers, i, j);
 }
 
 PairSetting3::PairSetting3(const Blockers3& blockers, const PairSetting3& whole, const Patch3& i, const Patch3& j)
@@ -64,7 +63,6 @@ PairSetting3::PairSetting3(const Blockers3& blockers, const PairSetting3& whole,
   for (std::uint32_t body = 2; body < whole.bodies.end_of_between(); ++body)
     near.push_back(whole.bodies.bodies[body].surface);
   add_bodies(blockers, near);
-  if (sight == Sight3::kMixed) add_solids(blockers, i, j);
 }
 
 bool PairSetting3::can_see(const Patch3& i, const Patch3& j) const {
@@ -81,7 +79,9 @@ void PairSetting3::add_bodies(const Blockers3& blockers, std::span<const std::ui
       return;
   }
   sight = count_between() > 0 ? Sight3::kMixed : Sight3::kClear;
-  if (sight == Sight3::kMixed) keep_left_out_at_lines(blockers);
+  if (sight != Sight3::kMixed) return;
+  keep_left_out_at_lines(blockers);
+  if (solids_ != nullptr) add_solids(blockers);
 }
 
 // No line passes an outline beside which there is a surface that no line meets, whatever has been left out.
@@ -103,15 +103,15 @@ void PairSetting3::keep_left_out_at_lines(const Blockers3& blockers) {
   });
 }
 
-void PairSetting3::add_solids(const Blockers3& blockers, const Patch3& i, const Patch3& j) {
-  if (solids_ == nullptr) return;
+void PairSetting3::add_solids(const Blockers3& blockers) {
   std::vector<std::uint32_t> numbers;
   for (std::uint32_t body = 2; body < bodies.count(); ++body)
     if (const std::uint32_t number = solids_->body_of(bodies.bodies[body].surface); number != ConvexBody3::kNone)
       numbers.push_back(number);
   std::ranges::sort(numbers);
-  const auto has = [this](const Patch3& patch, std::uint32_t number) {
-    return !patch.is_sky() && solids_->body_of(patch.surface) == number;
+  const auto has = [this](std::uint32_t patch, std::uint32_t number) {
+    const std::uint32_t surface = bodies.bodies[patch].surface;
+    return surface != Patch3::kSky && solids_->body_of(surface) == number;
   };
   for (auto first = numbers.begin(); first != numbers.end();) {
     const std::uint32_t number = *first;
@@ -119,7 +119,7 @@ void PairSetting3::add_solids(const Blockers3& blockers, const Patch3& i, const 
     const ConvexBody3& body = solids_->bodies()[number];
     // A surface in the plane of the lid bounds nothing, but may be met.
     const bool is_whole = std::ranges::find(body.plane_of, ConvexBody3::kNone) == body.plane_of.end();
-    if (last - first > 1 && is_whole && !has(i, number) && !has(j, number)) bodies.add_solid(blockers, body);
+    if (last - first > 1 && is_whole && !has(0, number) && !has(1, number)) bodies.add_solid(blockers, body);
     first = last;
   }
 }

@@ -57,7 +57,7 @@ struct PairSetting3 {
   void find_hull(const Vertices3& vertices);
   void add_bodies(const Blockers3& blockers, std::span<const std::uint32_t> near);
   void keep_left_out_at_lines(const Blockers3& blockers);
-  void add_solids(const Blockers3& blockers, const Patch3& i, const Patch3& j);
+  void add_solids(const Blockers3& blockers);
   void add_half_space(const HullPlane& plane, double unit_ratio);
   void add_hull_planes(std::uint32_t of_edges, std::uint32_t of_points);
   bool may_stand_between(std::uint32_t body) const;

@@ -6,6 +6,8 @@
 #include <optional>
 #include <unordered_map>
 
+#include "geometry/space/exchange/stretch_parts.h"
+
 namespace hottel {
 namespace {
 
@@ -20,12 +22,6 @@ Rational quotient(const Integer& numerator, const Integer& denominator) {
 
 WeightedPoint3 end_of(const Stretch3& s) {
   return {{s.from.x + s.way.x, s.from.y + s.way.y, s.from.z + s.way.z}, s.weight};
-}
-
-// b - a, times both weights.
-IntegerVector way(const WeightedPoint3& a, const WeightedPoint3& b) {
-  if (a.weight == b.weight) return multiple(a.weight, difference(b.numerator, a.numerator));
-  return difference(multiple(a.weight, b.numerator), multiple(b.weight, a.numerator));
 }
 
 class StretchFinder {
@@ -139,24 +135,11 @@ class StretchFinder {
         std::any_of(ground.faces.begin(), ground.faces.end(),
                     [this](const StretchFace3& face) { return face.surface == other_surface_; });
     if (is_target_there || !are_of_bodies(ground)) return;
-    const WeightedPoint3 from{ground.stretch.from, ground.stretch.weight}, to = end_of(ground.stretch);
-    const IntegerVector& normal = bodies_.bodies[own_].exact_normal();
-    Rational low = 0, high = 1;
-    const std::size_t count = patch.corners.size();
-    for (std::size_t k = 0; k < count; ++k) {
-      const WeightedPoint3 corner{patch.corners[k], patch.weight};
-      const IntegerVector across = cross(normal, difference(patch.corners[(k + 1) % count], patch.corners[k]));
-      const Integer at_from = dot(across, way(corner, from)), at_to = dot(across, way(corner, to));
-      if (sgn(at_from) <= 0 && sgn(at_to) <= 0) return;
-      if (sgn(at_from) >= 0 && sgn(at_to) >= 0) continue;
-      const Rational zero = quotient(at_from, at_from - at_to);
-      if (sgn(at_from) < 0)
-        low = std::max(low, zero);
-      else
-        high = std::min(high, zero);
-    }
-    if (low >= high) return;
-    PairStretch3 stretch{part_of(ground.stretch, low, high), nullptr, StretchRole3::kFoot, own_, {}, 0, 1};
+    std::vector<WeightedPoint3> corners;
+    for (const IntegerVector& corner : patch.corners) corners.push_back({corner, patch.weight});
+    const auto part = part_inside(ground.stretch, corners, bodies_.bodies[own_].exact_normal());
+    if (!part) return;
+    PairStretch3 stretch{part_of(ground.stretch, (*part)[0], (*part)[1]), nullptr, StretchRole3::kFoot, own_, {}, 0, 1};
     for (const StretchFace3& face : ground.faces) add_face(face, stretch);
     result_.push_back(std::move(stretch));
   }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geometry/space/visibility/direction.h"
+#include "kernel/exact_double.h"
 
 namespace hottel {
 namespace {
@@ -21,18 +22,13 @@ constexpr double kCosine = 0.95533648912560598, kSine = 0.29552020666133960;
 // What the view factor of a cone in doubles is off by, at most: six arcs, each by some units of the last place.
 constexpr double kOfFactor = 0x1p-47;
 
-IntegerVector normal_of(const Patch3& patch) {
-  return primitive(
-      cross(difference(patch.corners[1], patch.corners[0]), difference(patch.corners[2], patch.corners[1])));
-}
-
 Direction3 in_doubles(const IntegerVector& v) {
   const BoundedVector rough = rounded(v, std::max(0L, bits(v) - 53));
   return unit({rough.x, rough.y, rough.z});
 }
 
 IntegerVector rounded_direction(const Direction3& d) {
-  const auto whole = [](double value) { return Integer(std::nearbyint(kLength * value)); };
+  const auto whole = [](double value) { return exact_integer(std::nearbyint(kLength * value)); };
   return {whole(d.x), whole(d.y), whole(d.z)};
 }
 
@@ -69,7 +65,7 @@ double view_factor(const std::vector<Direction3>& cone, const Direction3& normal
 }  // namespace
 
 std::vector<Patch3> sky_cones(const Patch3& patch) {
-  const IntegerVector exact = normal_of(patch);
+  const IntegerVector exact = primitive(normal_of(patch));
   const Direction3 up = in_doubles(exact);
   const double x = std::fabs(up.x), y = std::fabs(up.y), z = std::fabs(up.z);
   const Direction3 axis = x <= y && x <= z ? Direction3{1, 0, 0} : y <= z ? Direction3{0, 1, 0} : Direction3{0, 0, 1};

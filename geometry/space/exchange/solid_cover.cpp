@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/space/exchange/stretch_parts.h"
+
 namespace hottel {
 namespace {
 
@@ -57,13 +59,8 @@ const SolidCover3::Item& SolidCover3::item(std::uint32_t number) {
 
 void SolidCover3::narrow(const Stretch3& stretch, double low, double high, std::vector<std::uint32_t>& list) {
   if (bodies_.solids.empty() || list.size() < 2) return;
-  const long shift = bodies_.shift();
-  const auto place = [&](const IntegerVector& p) {
-    return Direction3{rounded_quotient(p.x, stretch.weight, shift), rounded_quotient(p.y, stretch.weight, shift),
-                      rounded_quotient(p.z, stretch.weight, shift)};
-  };
-  const Direction3 from = place(stretch.from), way = place(stretch.way);
-  const Direction3 ends[] = {from + low * way, from + high * way}, middle = 0.5 * (ends[0] + ends[1]);
+  const std::array<Direction3, 2> ends = ends_in_doubles(stretch, low, high, bodies_.shift());
+  const Direction3 middle = 0.5 * (ends[0] + ends[1]);
   looks_.clear();
   for (const std::uint32_t number : list) {
     const Item& one = item(number);
@@ -88,12 +85,11 @@ void SolidCover3::narrow(const Stretch3& stretch, double low, double high, std::
   for (const Look& look : kept_) list.push_back(look.number);
 }
 
-bool SolidCover3::covers(std::uint32_t number, std::uint32_t other, const Direction3 (&ends)[2]) {
+bool SolidCover3::covers(std::uint32_t number, std::uint32_t other, const std::array<Direction3, 2>& ends) {
   const Item &solid = item(number), &covered = item(other);
   // From within, its faces hide one by one, and not all of them may be there.
-  const bool is_outside = std::ranges::any_of(solid.planes, [&](const Plane& plane) {
-    return plane.height(ends[0]) > deep_ && plane.height(ends[1]) > deep_;
-  });
+  const bool is_outside = std::ranges::any_of(
+      solid.planes, [&](const Plane& plane) { return plane.height(ends[0]) > deep_ && plane.height(ends[1]) > deep_; });
   if (!is_outside) return false;
   const bool has_lid = !solid.lid.empty();
   bool needs_lid = false;

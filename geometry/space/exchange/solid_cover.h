@@ -1,6 +1,7 @@
 // What is hidden behind solids all along a stretch, in doubles. Internal to geometry/space/exchange.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -51,7 +52,7 @@ class SolidCover3 {
     Direction3 way;
   };
   const Item& item(std::uint32_t number);
-  bool covers(std::uint32_t solid, std::uint32_t other, const Direction3 (&ends)[2]);
+  bool covers(std::uint32_t solid, std::uint32_t other, const std::array<Direction3, 2>& ends);
   bool is_within_lid(std::uint32_t solid, std::uint32_t other);
 
   const PairBodies3& bodies_;

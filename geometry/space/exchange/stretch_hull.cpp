@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/space/exchange/stretch_parts.h"
+
 namespace hottel {
 namespace {
 
@@ -28,13 +30,8 @@ StretchHull3::StretchHull3(const PairBodies3& bodies) : bodies_(bodies) {
 }
 
 void StretchHull3::take(const Stretch3& stretch, double low, double high, std::uint32_t patch) {
-  const long shift = bodies_.shift();
-  const auto place = [&](const IntegerVector& p) {
-    return Direction3{rounded_quotient(p.x, stretch.weight, shift), rounded_quotient(p.y, stretch.weight, shift),
-                      rounded_quotient(p.z, stretch.weight, shift)};
-  };
-  const Direction3 from = place(stretch.from), way = place(stretch.way);
-  hull_.assign({{from + low * way}, {from + high * way}});
+  const auto [from, to] = ends_in_doubles(stretch, low, high, bodies_.shift());
+  hull_.assign({{from}, {to}});
   for (const std::uint32_t corner : bodies_.bodies[patch].corners) hull_.push_back(places_[corner]);
   planes_.clear();
   for (std::size_t k = 2; k < hull_.size(); ++k) {

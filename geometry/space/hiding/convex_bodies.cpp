@@ -1,45 +1,12 @@
 #include "geometry/space/hiding/convex_bodies.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
+
+#include "geometry/space/arrangement/edge_components.h"
 
 namespace hottel {
 namespace {
-
-// What hangs together by edges.
-class Components {
- public:
-  explicit Components(const Blockers3& blockers) : first_(blockers.size()), of_edge_(blockers.edge_count()) {
-    std::iota(first_.begin(), first_.end(), 0u);
-    for (std::uint32_t s = 0; s < blockers.size(); ++s)
-      for (const DirectedEdge3& side : blockers.edges(s)) of_edge_[side.edge.index()].push_back(s);
-    for (const std::vector<std::uint32_t>& surfaces : of_edge_)
-      for (const std::uint32_t s : surfaces) join(surfaces.front(), s);
-  }
-
-  // Each ascending, in the order of their first surfaces.
-  std::vector<std::vector<std::uint32_t>> take() {
-    std::vector<std::vector<std::uint32_t>> all(first_.size());
-    for (std::uint32_t s = 0; s < first_.size(); ++s) all[first(s)].push_back(s);
-    std::erase_if(all, [](const auto& component) { return component.empty(); });
-    return all;
-  }
-  const std::vector<std::uint32_t>& of_edge(EdgeId3 edge) const { return of_edge_[edge.index()]; }
-
- private:
-  std::uint32_t first(std::uint32_t s) {
-    while (first_[s] != s) s = first_[s] = first_[first_[s]];
-    return s;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t of_a = first(a), of_b = first(b);
-    first_[std::max(of_a, of_b)] = std::min(of_a, of_b);
-  }
-
-  std::vector<std::uint32_t> first_;
-  std::vector<std::vector<std::uint32_t>> of_edge_;
-};
 
 // On which sides of a plane points lie.
 struct Sides {
@@ -54,13 +21,13 @@ struct Sides {
 
 class BodyFinder {
  public:
-  BodyFinder(const Blockers3& blockers, const Components& components)
+  BodyFinder(const Blockers3& blockers, const EdgeComponents3& components)
       : blockers_(blockers), vertices_(blockers.vertices()), components_(components) {}
 
-  std::optional<ConvexBody3> find(std::vector<std::uint32_t> surfaces) const {
+  std::optional<ConvexBody3> find(const std::vector<std::uint32_t>& surfaces) const {
     if (surfaces.size() < 3 || surfaces.size() > ConvexBodies3::kMostSurfaces) return std::nullopt;
     ConvexBody3 body;
-    body.surfaces = std::move(surfaces);
+    body.surfaces = surfaces;
     for (const std::uint32_t s : body.surfaces)
       body.corners.insert(body.corners.end(), blockers_.outline(s).begin(), blockers_.outline(s).end());
     std::ranges::sort(body.corners);
@@ -133,16 +100,16 @@ class BodyFinder {
 
   const Blockers3& blockers_;
   const Vertices3& vertices_;
-  const Components& components_;
+  const EdgeComponents3& components_;
 };
 
 }  // namespace
 
 ConvexBodies3::ConvexBodies3(const Blockers3& blockers) : body_of_(blockers.size(), ConvexBody3::kNone) {
-  Components components(blockers);
+  const EdgeComponents3 components(blockers);
   const BodyFinder finder(blockers, components);
-  for (std::vector<std::uint32_t>& surfaces : components.take()) {
-    std::optional<ConvexBody3> body = finder.find(std::move(surfaces));
+  for (const std::vector<std::uint32_t>& surfaces : components.all()) {
+    std::optional<ConvexBody3> body = finder.find(surfaces);
     if (!body) continue;
     for (const std::uint32_t s : body->surfaces) body_of_[s] = static_cast<std::uint32_t>(bodies_.size());
     bodies_.push_back(std::move(*body));

@@ -532,11 +532,8 @@ PlacedPatch3 Hiders3::placed(const Patch3& patch) const {
   }
   result.is_told = result.is_told && std::isnormal(factor);
   if (!result.is_told) return result;
-  const auto exact_normal = [&patch] {
-    return cross(difference(patch.corners[1], patch.corners[0]), difference(patch.corners[2], patch.corners[1]));
-  };
   if (patch.is_sky()) {
-    result.normal = unit_of(exact_normal());
+    result.normal = unit_of(normal_of(patch));
     return result;
   }
   result.normal = unit(place_of(blockers_.normal(patch.surface)));
@@ -545,7 +542,7 @@ PlacedPatch3 Hiders3::placed(const Patch3& patch) const {
     around = around + cross(result.corners[k] - result.corners[0], result.corners[k + 1] - result.corners[0]);
   const double along = dot(around, result.normal);
   const bool is_sure = std::fabs(along) > 0x1p-40 * result.size * result.size;
-  if (is_sure ? along < 0 : dot_sign(exact_normal(), blockers_.exact_normal(patch.surface)) < 0)
+  if (is_sure ? along < 0 : dot_sign(normal_of(patch), blockers_.exact_normal(patch.surface)) < 0)
     result.normal = -result.normal;
   return result;
 }
