@@ -160,13 +160,11 @@ void StretchMapper3::find_bodies(const PairStretch3& stretch) {
   }
 }
 
-// Not where it is at the stretch, or where a part of it may be behind the patch; and the stretch is to be within its
-// lid, so that lines do not come in there.
+// Not where a part of it may be behind the patch; and the stretch is to be within its lid, so that lines do not come in
+// there.
 bool StretchMapper3::hides_as_one(const PairBodies3::Solid& solid, const PairStretch3& stretch,
                                   std::uint32_t patch) const {
   if (!solid.may_hide[patch]) return false;
-  for (const PairStretch3::Face& face : stretch.faces)
-    if (std::ranges::find(solid.faces, face.body) != solid.faces.end()) return false;
   if (!solid.exact->lid) return true;
   const Stretch3& s = stretch.line();
   const BodyPlane3& lid = *solid.exact->lid;

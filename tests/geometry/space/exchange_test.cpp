@@ -163,8 +163,24 @@ TEST(Exchange3, OfAnOpenSceneTheSkyIsSeenThroughWhatIsOpen) {
   }
 }
 
-// Far from each other, or small beside the others: what the far walls of the sky exchange with these has too few
-// digits, and what all else leaves of the area has them.
+// What all else leaves of the area is proven as well as that is.
+TEST(Exchange3, TheSkyIsEnclosedWhereAllElseIs) {
+  const ExchangeMatrix matrix =
+      exact_exchange(prepared(R"({"hottel": 1, "dimension": 3, "materials": {"m": {}}, "polygons": [
+  {"name": "a", "points": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], "material": "m"},
+  {"name": "b", "points": [[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]], "material": "m"}]})"),
+                     {});
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    const std::size_t last = matrix.row(i).size() - 1;
+    ASSERT_EQ(matrix.row(i)[last].to, matrix.sky());
+    EXPECT_EQ(matrix.guarantee(i, last), Guarantee::kEnclosed);
+    EXPECT_LT(matrix.bounds(i, last).width(), 1e-13);
+    EXPECT_TRUE(matrix.bounds(i, last).contains(1 - kOpposite));
+  }
+}
+
+// Far from each other, or small beside the others.
 TEST(Exchange3, TheSkyIsSeenByWhatIsFarAndByWhatIsSmall) {
   for (const char* distance : {"1e3", "1e6", "1e9", "1e12", "1e15"}) {
     const std::string z = distance;

@@ -130,7 +130,7 @@ TEST(NoSky3, InABoxAndNotBesideIt) {
                       {ratio(1, 4), ratio(3, 4), ratio(1, 2)}};
   Points beside = inside, through = inside;
   for (Point3& p : beside) p.x = p.x + 1;
-  through[1].x = 2;
+  through[1].x = ratio(11, 10);  // most of it within
   // Beside a box of which the hull of the scene is not made.
   const Scene scene(box({0, 0, 0}, {1, 1, 1}) +
                     std::vector<Points>{inside, beside, through, {{5, 5, 5}, {6, 5, 5}, {5, 6, 7}}});

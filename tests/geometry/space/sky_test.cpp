@@ -309,6 +309,18 @@ TEST(TheSky, PastABodyThatIsPartlyBehind) {
     for (const bool is_back : {false, true}) EXPECT_NEAR(scene.factor(s, is_back), scene.rest(s, is_back), 1e-11) << s;
 }
 
+// A body beside a patch that leans under it: from above it is seen through the patch, and does not hide that.
+TEST(TheSky, PastABodyThatLeansUnderThePatch) {
+  const Point3 top{-1, 1, 1}, a{1, ratio(1, 2), -2}, b{1, ratio(3, 2), -2}, c{-1, 1, -2};
+  const Scene scene({level(0, 0, 2, 0, 2), level(5, 0, 1, 0, 2), {top, a, b}, {top, b, c}, {top, c, a}, {a, c, b}});
+  for (std::uint32_t s = 0; s < 6; ++s)
+    for (const bool is_back : {false, true}) {
+      EXPECT_NEAR(scene.factor(s, is_back), scene.rest(s, is_back), 1e-11) << s << is_back;
+      const Patch3 patch = whole_patch(scene.blockers(), s, is_back);
+      EXPECT_NEAR(scene.sky(patch).measure, scene.walked(patch).measure, 1e-11) << s << is_back;
+    }
+}
+
 // In a row, alone, and with details, bit for bit.
 TEST(TheSky, HasTheSameBitsHoweverItIsAsked) {
   const Scene scene(blocks(true));

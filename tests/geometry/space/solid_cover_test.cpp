@@ -105,7 +105,8 @@ TEST(SolidCover3, NotByASolidThatTheStretchIsIn) {
 TEST(SolidCover3, WithinTheLidAlone) {
   std::vector<Points> open = box({0, 0, 0}, {2, 2, 2});
   open.erase(open.begin());
-  const Scene scene(kPatches + open + box({5, ratio(1, 2), 0}, {6, 1, 1}) + box({5, ratio(1, 2), -9}, {6, 1, -8}));
+  const Scene scene(kPatches + open + box({5, ratio(1, 2), 0}, {6, 1, 1}) +
+                    box({5, ratio(1, 2), ratio(-3, 2)}, {6, 1, -1}));
   const std::vector<std::uint32_t> all{scene.solid(0), scene.solid(1), scene.solid(2)};
   EXPECT_THAT(scene.narrowed({-1, ratio(1, 2), 0}, {-1, 1, 0}, all),
               UnorderedElementsAre(scene.solid(0), scene.solid(2)));
