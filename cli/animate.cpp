@@ -125,7 +125,7 @@ void require_lights_beside_surfaces(const AnyScene& scene, std::uint32_t frames,
     try {
       validate(scene_after(scene, time));
     } catch (const InputError& error) {
-      const std::string place = scene.file + (error.where().line > 0 ? fmt::format(":{}", error.where().line) : "");
+      const std::string place = FileLine{scene.file, error.where().line}.text();
       const std::string what = error.what();
       throw RequestError(fmt::format("{}: frame {}, at {} s: {}", place, k, shortest(to_double(time)),
                                      what.starts_with(place + ": ") ? what.substr(place.size() + 2) : what));

@@ -35,7 +35,7 @@ struct PolygonOptions {
   void require_sense_for(const std::string& file) const;
 };
 
-// What a command is told where it shall read a scene from standard input, and how messages call that.
+// The name of a file that stands for standard input, and what messages call it.
 inline constexpr const char* kStandardInput = "-";
 inline constexpr const char* kStandardInputName = "standard input";
 

@@ -9,10 +9,8 @@ namespace hottel {
 
 void refuse_promise(const SceneTable& scene, const Element& element, std::optional<double> factor) {
   const Surface& surface = scene.surfaces[element.surface];
-  const FileLine at = place_of(scene, surface);
-  throw RequestError(fmt::format("{}{}: the scene promises to be closed, but the front of '{}' sees the sky{}", at.file,
-                                 at.line > 0 ? ":" + std::to_string(at.line) : "",
-                                 element.is_part() ? surface.name : element.name,
+  throw RequestError(fmt::format("{}: the scene promises to be closed, but the front of '{}' sees the sky{}",
+                                 place_of(scene, surface).text(), element.is_part() ? surface.name : element.name,
                                  factor ? fmt::format(" (F = {})", shortest(*factor)) : ""));
 }
 

@@ -16,8 +16,7 @@ auto naming_light(const SceneTable& scene, const Light& light, const F& f) {
   try {
     return f();
   } catch (const RequestError& error) {
-    const std::string line = light.line > 0 ? ":" + std::to_string(light.line) : "";
-    const std::string place = scene.file.empty() ? "" : scene.file + line + ": ";
+    const std::string place = scene.file.empty() ? "" : FileLine{scene.file, light.line}.text() + ": ";
     throw RequestError(place + "light " + quoted_name(light.name) + ": " + error.what());
   }
 }

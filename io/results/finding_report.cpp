@@ -14,10 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string place_text(const FileLine& where) {
-  return where.file + (where.line > 0 ? fmt::format(":{}", where.line) : "");
-}
-
 std::string count_text(std::size_t count, const char* noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
@@ -65,7 +61,7 @@ std::string findings_text(const std::vector<ReportedFinding>& findings, std::siz
   std::map<std::string, std::size_t> of_kind;
   for (const ReportedFinding& finding : findings) {
     if (++of_kind[finding.kind] > most) continue;
-    text += fmt::format("{}: {}: {}{}: {}\n", place_text(finding.where), to_string(finding.severity), finding.kind,
+    text += fmt::format("{}: {}: {}{}: {}\n", finding.where.text(), to_string(finding.severity), finding.kind,
                         finding.at.empty() ? "" : " at " + finding.place, finding.message);
     if (!finding.suggestion.empty()) text += "  " + finding.suggestion + "\n";
   }
@@ -92,7 +88,7 @@ std::string repair_text(const SceneTable& scene, const RepairReport& repair) {
   for (const RepairStep& step : *repair.steps) {
     const auto surface = scene.find(step.surface);
     const FileLine where = surface ? place_of(scene, scene.surfaces[*surface]) : FileLine{scene.file};
-    text += fmt::format("{}: {}: {}\n", place_text(where), step.kind, step.message);
+    text += fmt::format("{}: {}: {}\n", where.text(), step.kind, step.message);
   }
   if (repair.steps->empty()) text += scene.file + ": there was nothing to repair\n";
   if (repair.changes == nullptr) return text;

@@ -16,15 +16,11 @@ constexpr std::array<Noun, 8> kNouns{{{"repeated point", "repeated points"},
                                       {"third coordinate", "third coordinates"},
                                       {"missing file of materials", "missing files of materials"}}};
 
-std::string place(const FileLine& where) {
-  return where.file + (where.line > 0 ? ":" + std::to_string(where.line) : "");
-}
-
 }  // namespace
 
 void PassedOver::add(PassedKind kind, const FileLine& where, const std::string& name, std::size_t count) {
   Kind& own = all_[static_cast<std::size_t>(kind)];
-  if (own.count == 0 && count > 0) own.first = (name.empty() ? "" : name + " ") + "at " + place(where);
+  if (own.count == 0 && count > 0) own.first = (name.empty() ? "" : name + " ") + "at " + where.text();
   own.count += count;
 }
 

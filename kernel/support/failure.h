@@ -19,6 +19,9 @@ namespace hottel {
 struct FileLine {
   std::string file;
   int line = 0;  // 1-based; 0 where there is none
+
+  // "FILE:LINE", or "FILE".
+  std::string text() const { return file + (line > 0 ? ':' + std::to_string(line) : ""); }
 };
 
 // What was read is wrong: a file, its syntax, or the scene it describes.
@@ -30,9 +33,7 @@ class InputError : public std::runtime_error {
   // what() is "FILE:LINE: text" or "FILE: text": one line. Hints say more about what is wrong, or what to do.
   // REQUIRES: at most three hints, one line each (not checked).
   InputError(FileLine where, const std::string& text, std::vector<std::string> hints = {})
-      : std::runtime_error(where.file + (where.line > 0 ? ':' + std::to_string(where.line) : "") + ": " + text),
-        where_(std::move(where)),
-        hints_(std::move(hints)) {}
+      : std::runtime_error(where.text() + ": " + text), where_(std::move(where)), hints_(std::move(hints)) {}
 
   const FileLine& where() const { return where_; }
   const std::vector<std::string>& hints() const { return hints_; }

@@ -47,15 +47,7 @@ RadiositySources with_gains(const ExchangeMatrix& matrix, RadiositySources sourc
 RadiositySolution in_one(RadiositySolution solar, RadiositySolution thermal) {
   HOTTEL_REQUIRE(solar.channels.size() == 2 && thermal.channels.size() == 2);
   solar.channels[kThermalBand] = std::move(thermal.channels[kThermalBand]);
-  solar.energy = {};
-  solar.max_relative_width = 0;
-  for (const ChannelSolution& channel : solar.channels) {
-    solar.max_relative_width = std::max(solar.max_relative_width, channel.max_relative_width);
-    solar.energy.emitted += channel.energy.emitted;
-    solar.energy.absorbed += channel.energy.absorbed;
-    solar.energy.to_sky += channel.energy.to_sky;
-    solar.energy.defect += channel.energy.defect;
-  }
+  sum_up_channels(solar);
   if (solar.factorizations == 0 || thermal.factorizations > 0) solar.used = thermal.used;
   solar.factorizations += thermal.factorizations;
   solar.unknowns = std::max(solar.unknowns, thermal.unknowns);

@@ -74,16 +74,6 @@ void require_solution(const RadiositySystem& system, const std::vector<char>& is
   }
 }
 
-void add_up(RadiositySolution& solution) {
-  for (const ChannelSolution& channel : solution.channels) {
-    solution.max_relative_width = std::max(solution.max_relative_width, channel.max_relative_width);
-    solution.energy.emitted += channel.energy.emitted;
-    solution.energy.absorbed += channel.energy.absorbed;
-    solution.energy.to_sky += channel.energy.to_sky;
-    solution.energy.defect += channel.energy.defect;
-  }
-}
-
 }  // namespace
 
 // One call of solve().
@@ -164,7 +154,7 @@ RadiositySolution FactorsAsGiven::solve(const RadiositySources& sources, const R
   solution.channels.resize(solution.channel_names.size());
   for (ChannelSolution& channel : solution.channels) channel.elements.resize(matrix_.size());
   for (const auto& group : groups_) run.solve(*group);
-  add_up(solution);
+  sum_up_channels(solution);
   solution.seconds = std::move(run.times.seconds);
   solution.notes.assign(run.notes.begin(), run.notes.end());
   return std::move(solution);

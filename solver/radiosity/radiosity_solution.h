@@ -66,6 +66,19 @@ struct RadiositySolution {
   std::vector<std::string> notes;
 };
 
+// Sets what is over all channels: the width of bounds, and the energy.
+inline void sum_up_channels(RadiositySolution& solution) {
+  solution.max_relative_width = 0;
+  solution.energy = {};
+  for (const ChannelSolution& channel : solution.channels) {
+    solution.max_relative_width = std::max(solution.max_relative_width, channel.max_relative_width);
+    solution.energy.emitted += channel.energy.emitted;
+    solution.energy.absorbed += channel.energy.absorbed;
+    solution.energy.to_sky += channel.energy.to_sky;
+    solution.energy.defect += channel.energy.defect;
+  }
+}
+
 // Returns the largest radiosity of all channels and elements, 0 where all are dark; one that is NaN is passed over.
 inline double largest_radiosity(const RadiositySolution& solution) {
   double value = 0;

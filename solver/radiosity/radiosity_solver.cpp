@@ -14,6 +14,19 @@
 #include "solver/radiosity/signed_radiosity.h"
 
 namespace hottel {
+namespace {
+
+// What a solve reports of its progress, as one of two that follow each other.
+std::function<void(double)> first_half_of(const std::function<void(double)>& progress) {
+  if (!progress) return {};
+  return [progress](double fraction) { progress(fraction / 2); };
+}
+std::function<void(double)> second_half_of(const std::function<void(double)>& progress) {
+  if (!progress) return {};
+  return [progress](double fraction) { progress((1 + fraction) / 2); };
+}
+
+}  // namespace
 
 struct RadiositySolver::Parts {
   std::shared_ptr<const ExchangeMatrix> matrix;
@@ -34,12 +47,12 @@ struct RadiositySolver::Parts {
   RadiositySolution solve(const RadiositySources& sources, RadiosityOptions asked) const {
     if (!sources.has_bands) return solve_signed(sources, asked);
     const std::function<void(double)> told = asked.progress;
-    if (told) asked.progress = [&](double fraction) { told(fraction / 2); };
+    asked.progress = first_half_of(told);
     RadiositySources of_band = sources;
     of_band.only_channel = kSolarBand;
     of_band.withdrawn.clear();
     RadiositySolution solar = solve_signed(of_band, asked);
-    if (told) asked.progress = [&](double fraction) { told((1 + fraction) / 2); };
+    asked.progress = second_half_of(told);
     of_band = with_gains(*matrix, sources, solar.channels[kSolarBand]);
     of_band.only_channel = kThermalBand;
     return in_one(std::move(solar), solve_signed(of_band, asked));
@@ -48,9 +61,9 @@ struct RadiositySolver::Parts {
   RadiositySolution solve_signed(const RadiositySources& sources, RadiosityOptions asked) const {
     if (sources.withdrawn.empty()) return radiosity.solve(sources, asked);
     const std::function<void(double)> told = asked.progress;
-    if (told) asked.progress = [&](double fraction) { told(fraction / 2); };
+    asked.progress = first_half_of(told);
     RadiositySolution supplied = radiosity.solve(sources, asked);
-    if (told) asked.progress = [&](double fraction) { told((1 + fraction) / 2); };
+    asked.progress = second_half_of(told);
     const bool in_channels = supplied.channels.size() > 1;
     return difference_of(*matrix, std::move(supplied), radiosity.solve(sources.withdrawn_alone(in_channels), asked));
   }

@@ -20,7 +20,7 @@ namespace {
                          const ExchangeMatrix& matrix) {
   const FileLine at =
       element ? place_of(scene, scene.surfaces[matrix.elements()[*element].surface]) : FileLine{scene.file};
-  const std::string place = at.file + (at.line > 0 ? ":" + std::to_string(at.line) : "");
+  const std::string place = at.text();
   throw RequestError(place.empty() ? text : place + ": " + text);
 }
 

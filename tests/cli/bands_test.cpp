@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/cli/black_power.h"
 #include "tests/cli/csv_table.h"
 #include "tests/cli/program.h"
 
@@ -21,14 +22,11 @@ using testing::HasSubstr;
 using testing::Not;
 using testing_cli::lines_of;
 using testing_cli::Outcome;
+using testing_cli::power_of;
 using testing_cli::table;
+using testing_cli::temperature_of;
 using testing_cli::Workplace;
 using Json = nlohmann::json;
-
-constexpr double kSigma = 5.670374419e-8;
-
-double power_of(double t) { return kSigma * t * t * t * t; }
-double temperature_of(double power) { return std::sqrt(std::sqrt(power / kSigma)); }
 
 // A plate on the ground under a sky that shines and is cold; what it gains it gives back to the sky. `plate`: the
 // members of its material but "solar".

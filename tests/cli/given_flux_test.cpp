@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/cli/black_power.h"
 #include "tests/cli/csv_table.h"
 #include "tests/cli/program.h"
 
@@ -20,14 +21,11 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 using testing_cli::Outcome;
+using testing_cli::power_of;
 using testing_cli::table;
+using testing_cli::temperature_of;
 using testing_cli::Workplace;
 using Json = nlohmann::json;
-
-constexpr double kSigma = 5.670374419e-8;
-
-double power_of(double t) { return kSigma * t * t * t * t; }
-double temperature_of(double power) { return std::sqrt(std::sqrt(power / kSigma)); }
 
 // A right triangle with legs 3 and 4: s1 (4) is at 300 K, s2 (3) and s3 (5) have net fluxes.
 std::string triangle(double q2, double q3) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/cli/black_power.h"
 #include "tests/cli/csv_table.h"
 #include "tests/cli/program.h"
 
@@ -18,11 +19,10 @@ using testing::HasSubstr;
 using testing_cli::cells_of;
 using testing_cli::lines_of;
 using testing_cli::Outcome;
+using testing_cli::power_of;
 using testing_cli::table;
 using testing_cli::Workplace;
 using Json = nlohmann::json;
-
-constexpr double kSigma = 5.670374419e-8;
 
 std::string street(const std::string& height) {
   return R"({"hottel": 1, "dimension": 2, "materials": {"m": {}}, "edges": [
@@ -63,7 +63,7 @@ TEST(SkyTemperature, IsWhatABlackSkySends) {
   ASSERT_EQ(place.run("hottel solve street.json -o out --no-illumination").code, 0);
   const auto radiosities = table(place.read("out/radiosity.csv"), 1);
   const auto factors = table(place.run("hottel factors street.json --quiet").out, 2);
-  const double power = kSigma * 270.0 * 270.0 * 270.0 * 270.0;
+  const double power = power_of(270.0);
   for (const char* face : {"road", "west", "east"})
     EXPECT_NEAR(std::stod(radiosities.at(face).at(9)), power * std::stod(factors.at(std::string(face) + ",sky").at(2)),
                 1e-12 * power);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/space/exchange/integer_reals.h"
+#include "geometry/space/exchange/stretch_parts.h"
 #include "kernel/exact_double.h"
 
 namespace hottel {
@@ -32,10 +33,6 @@ void set_ratio(const IntegerVector& numerator, const Integer& denominator, long 
     integer_reals::set_quotient(numerator.y, denominator, shift, result.y);
     integer_reals::set_quotient(numerator.z, denominator, shift, result.z);
   }
-}
-
-WeightedPoint3 end_of(const Stretch3& s) {
-  return {{s.from.x + s.way.x, s.from.y + s.way.y, s.from.z + s.way.z}, s.weight};
 }
 
 }  // namespace

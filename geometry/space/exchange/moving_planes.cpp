@@ -168,10 +168,9 @@ PlaneSide3 MovingPlanes3::line(std::uint32_t a, std::uint32_t b) const {
 // opposite cone all normals are turned.
 void MovingPlanes3::cone_sides(std::uint32_t body, int facing, bool is_antipodal,
                                std::vector<PlaneSide3>& result) const {
-  result = sides_[body];
+  result.clear();
+  for (std::uint32_t k = 0; k < sides_[body].size(); ++k) result.push_back(cone_side(body, k, facing, is_antipodal));
   if (facing > 0) std::reverse(result.begin(), result.end());
-  if ((facing > 0) != is_antipodal)
-    for (PlaneSide3& side : result) side = side.opposite();
 }
 
 MovingPlanes3::Values MovingPlanes3::height(std::uint32_t body) {

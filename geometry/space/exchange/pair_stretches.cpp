@@ -20,10 +20,6 @@ Rational quotient(const Integer& numerator, const Integer& denominator) {
   return result;
 }
 
-WeightedPoint3 end_of(const Stretch3& s) {
-  return {{s.from.x + s.way.x, s.from.y + s.way.y, s.from.z + s.way.z}, s.weight};
-}
-
 class StretchFinder {
  public:
   StretchFinder(const PairSetting3& setting, const SurfaceStretches3& stretches)

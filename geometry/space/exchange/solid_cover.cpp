@@ -31,7 +31,7 @@ const SolidCover3::Item& SolidCover3::item(std::uint32_t number) {
   if (!item.corners.empty()) return item;
   const auto plane_of = [&](const BoundedVector& n, double sign, const Direction3& at) {
     const Direction3 outward = sign * unit(Direction3{n.x, n.y, n.z});
-    return Plane{outward, dot(outward, at)};
+    return OutwardPlane3{outward, dot(outward, at)};
   };
   if (number < bodies_.count()) {
     item.corners = bodies_.bodies[number].corners;
@@ -88,8 +88,9 @@ void SolidCover3::narrow(const Stretch3& stretch, double low, double high, std::
 bool SolidCover3::covers(std::uint32_t number, std::uint32_t other, const std::array<Direction3, 2>& ends) {
   const Item &solid = item(number), &covered = item(other);
   // From within, its faces hide one by one, and not all of them may be there.
-  const bool is_outside = std::ranges::any_of(
-      solid.planes, [&](const Plane& plane) { return plane.height(ends[0]) > deep_ && plane.height(ends[1]) > deep_; });
+  const bool is_outside = std::ranges::any_of(solid.planes, [&](const OutwardPlane3& plane) {
+    return plane.height(ends[0]) > deep_ && plane.height(ends[1]) > deep_;
+  });
   if (!is_outside) return false;
   const bool has_lid = !solid.lid.empty();
   bool needs_lid = false;
@@ -101,7 +102,7 @@ bool SolidCover3::covers(std::uint32_t number, std::uint32_t other, const std::a
       double enters = 0, leaves = HUGE_VAL;
       bool meets = true;
       double enters_within_lid = 0, leaves_within_lid = HUGE_VAL;
-      const auto clip = [&](const Plane& plane, double& low, double& high) {
+      const auto clip = [&](const OutwardPlane3& plane, double& low, double& high) {
         const double at_end = plane.height(end) + deep_, slope = plane.height(c) + deep_ - at_end;
         if (slope > 0)
           high = std::min(high, -at_end / slope);
@@ -110,7 +111,7 @@ bool SolidCover3::covers(std::uint32_t number, std::uint32_t other, const std::a
         else
           meets = meets && at_end < 0;
       };
-      for (const Plane& plane : solid.planes) {
+      for (const OutwardPlane3& plane : solid.planes) {
         clip(plane, enters, leaves);
         if (!meets || !(enters < leaves)) return false;
       }
@@ -118,7 +119,7 @@ bool SolidCover3::covers(std::uint32_t number, std::uint32_t other, const std::a
       leaves_within_lid = leaves;
       is_before = is_before && enters < std::min(leaves, 1.0);
       if (!is_beyond) continue;
-      for (const Plane& lid : solid.lid) clip(lid, enters_within_lid, leaves_within_lid);
+      for (const OutwardPlane3& lid : solid.lid) clip(lid, enters_within_lid, leaves_within_lid);
       is_beyond = meets && std::max(enters_within_lid, 1.0) < leaves_within_lid;
     }
     if (!is_before && !is_beyond) return false;

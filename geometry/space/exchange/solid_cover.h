@@ -7,6 +7,7 @@
 
 #include "geometry/space/exchange/pair_bodies.h"
 #include "geometry/space/exchange/stretch.h"
+#include "geometry/space/hiding/outward_plane.h"
 #include "geometry/space/visibility/direction.h"
 
 namespace hottel {
@@ -31,19 +32,14 @@ class SolidCover3 {
   void narrow(const Stretch3& stretch, double low, double high, std::vector<std::uint32_t>& list);
 
  private:
-  struct Plane {
-    Direction3 outward;
-    double offset;
-    double height(const Direction3& p) const { return dot(outward, p) - offset; }
-  };
   // What is in a list, as a ball around it holds it.
   struct Item {
     Direction3 middle;
     double radius = 0;
     std::vector<std::uint32_t> corners;
     // Of solids.
-    std::vector<Plane> planes;
-    std::vector<Plane> lid;  // none or one
+    std::vector<OutwardPlane3> planes;
+    std::vector<OutwardPlane3> lid;  // none or one
   };
   // As it looks from the middle of the stretch.
   struct Look {

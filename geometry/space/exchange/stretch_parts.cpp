@@ -24,7 +24,7 @@ std::array<Direction3, 2> ends_in_doubles(const Stretch3& stretch, double low, d
 
 std::optional<std::array<Rational, 2>> part_inside(const Stretch3& stretch, const std::vector<WeightedPoint3>& corners,
                                                    const IntegerVector& normal) {
-  const WeightedPoint3 from{stretch.from, stretch.weight}, to{sum(stretch.from, stretch.way), stretch.weight};
+  const WeightedPoint3 from{stretch.from, stretch.weight}, to = end_of(stretch);
   std::array<Rational, 2> part{0, 1};
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const WeightedPoint3 &corner = corners[k], &next = corners[(k + 1) % corners.size()];

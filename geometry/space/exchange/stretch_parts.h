@@ -10,6 +10,8 @@
 
 namespace hottel {
 
+inline WeightedPoint3 end_of(const Stretch3& stretch) { return {sum(stretch.from, stretch.way), stretch.weight}; }
+
 // Where a stretch is at t = low and t = high, in doubles of integer form times 2^-shift.
 std::array<Direction3, 2> ends_in_doubles(const Stretch3& stretch, double low, double high, long shift);
 

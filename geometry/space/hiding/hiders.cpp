@@ -10,6 +10,7 @@
 
 #include "geometry/space/arrangement/surface_boxes.h"
 #include "geometry/space/arrangement/whole_patch.h"
+#include "geometry/space/hiding/outward_plane.h"
 #include "kernel/exact_double.h"
 
 namespace hottel {
@@ -25,11 +26,7 @@ constexpr std::size_t kMostTried = 8;  // hiders at a line
 
 using Corners = boost::container::small_vector<Direction3, 8>;
 
-struct Plane {
-  Direction3 outward;  // a unit normal
-  double offset;
-  double height(const Direction3& p) const { return dot(outward, p) - offset; }
-};
+using Plane = OutwardPlane3;
 
 Direction3 place_of(const BoundedVector& v) { return {v.x, v.y, v.z}; }
 double size_of(const Direction3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); }

@@ -74,7 +74,7 @@ std::shared_ptr<const PreparedScene3> prepared_scene(const Scene3& scene, const 
   } catch (const InputError& error) {
     (void)Solids3(scene);  // throws where it is a "behind" that cannot be obeyed
     const FileLine& where = error.where();
-    const std::string place = where.file + (where.line > 0 ? ":" + std::to_string(where.line) : "") + ": ";
+    const std::string place = where.text() + ": ";
     Finding3 finding{Severity::kError, "conflicting-claims"};
     for (std::uint32_t s = 0; s < scene.surfaces.size() && finding.surfaces.empty(); ++s) {
       const FileLine own = place_of(scene, scene.surfaces[s]);
