@@ -17,7 +17,9 @@ using std::numbers::pi;
 
 constexpr double kRound = kRoundoff<double>;
 constexpr int kMaxNodes = 10;
-constexpr double kEnough = 0x1p-47;  // what quadrature may be off by, of the largest value times the area
+constexpr double kEnough = 0x1p-47;  // what quadrature may be off by at least, of the largest value times the area
+
+constexpr double kMore = 1 + 0x1p-40;  // above all roundings
 
 struct Node {
   Vector at;
@@ -47,17 +49,36 @@ class Part {
     return sum;
   }
 
-  // Nodes whose weights are those of the rule, times height and density; and by how much their sum is off.
-  std::vector<Node> nodes(int n, double& off) const {
-    const LegendreRule<double>& rule = legendre_rule<double>(n);
-    const auto count = static_cast<std::size_t>(n);
+  // Of lines along which one coordinate of a cell runs, the first or the second one: how long they are at most, and how
+  // far from the centre of the patch their middles are.
+  struct Lines {
+    double length = 0, middle = 0;
+  };
+  Lines lines(int coordinate) const {
+    Lines most;
+    for (const PatchCell3<double>& cell : cells_) {
+      const auto corner = [&](std::size_t c) { return outline_.corners[cell.corner[c % 4]]; };
+      const std::size_t first = coordinate == 0 ? 0 : 1;
+      for (const std::size_t side : {first, first + 2}) {
+        const Vector a = corner(side), b = corner(side + 1);
+        most.length = std::max(most.length, kMore * length(b - a) + 2 * off());
+        most.middle = std::max(most.middle, kMore * length(0.5 * (a + b) - outline_.centre) + off());
+      }
+    }
+    return most;
+  }
+
+  // Nodes whose weights are those of rules for each coordinate, times height and density; and by how much their sum is
+  // off.
+  std::vector<Node> nodes(const std::array<int, 2>& counts, double& off) const {
+    const LegendreRule<double>&along = legendre_rule<double>(counts[0]), &across = legendre_rule<double>(counts[1]);
     std::vector<Node> result;
-    result.reserve(cells_.size() * count * count);
+    result.reserve(cells_.size() * along.node.size() * across.node.size());
     off = 0;
     for (const PatchCell3<double>& cell : cells_)
-      for (std::size_t a = 0; a < count; ++a)
-        for (std::size_t b = 0; b < count; ++b) {
-          const std::array<double, 4> share = shares_of_corners(rule.node, a, b);
+      for (std::size_t a = 0; a < along.node.size(); ++a)
+        for (std::size_t b = 0; b < across.node.size(); ++b) {
+          const std::array<double, 4> share = shares_of_corners(along.node, a, across.node, b);
           Node node{{}, 0};
           std::array<Approximation<double>, 4> heights;
           for (std::size_t c = 0; c < 4; ++c) {
@@ -65,7 +86,7 @@ class Part {
             heights[c] = heights_[cell.corner[c]];
           }
           const Approximation<double> height = mixed(share, heights), density = mixed(share, cell.density);
-          const double weight = rule.weight[a] * rule.weight[b];
+          const double weight = along.weight[a] * across.weight[b];
           node.weight = weight * (height.value * density.value);
           off += weight * (height.value * density.error + (density.value + density.error) * height.error) +
                  6 * kRound * node.weight;
@@ -94,33 +115,48 @@ class Part {
 };
 
 // For one coordinate of one patch, the error of n nodes where all else is fixed, in units of the largest value of
-// height * density * height * density / distance^4. With A = distance / radius, points of the other patch have sums of
-// at least A (log_distance.cpp); in the ellipse where (rho + 1/rho)/2 = a < A, height and density, which are linear,
-// are at most a times their largest values, and the square of the distance is at least distance^2 (1 - a/A)^2.
+// height * density * height * density / distance^4. The coordinate runs along a line x; points y of the other patch
+// have sums |y - x(0)| + |y - x(1)| of at least twice the distance from its middle, so of A lengths of the line. In the
+// ellipse where (rho + 1/rho)/2 = a < A, height and density, which are linear, are at most a times their largest
+// values, and the square of the distance is at least (1 - a/A)^2 times that of y from the middle.
 double coordinate_error(int n, double most) {
   const double a = most * (n - 1) / (n + 1), rho = a + std::sqrt(a * a - 1), r = 1 / (rho * rho);
   return 32.0 / 15 * a * a / std::pow(1 - a / most, 4) * std::pow(r, n) / (1 - r);
 }
 
-// Nodes for a patch of A = most; 0 where too many would be needed.
-int nodes_for(double most) {
-  if (most < 5) return 0;
+// Nodes for a coordinate with A = most; 0 where too many would be needed.
+int nodes_for(double most, double enough) {
+  if (!(most >= 5)) return 0;
   for (int n = 2; n <= kMaxNodes; ++n)
-    if (coordinate_error(n, most) <= kEnough / 4) return n;
+    if (most * (n - 1) > 1.5 * (n + 1) && coordinate_error(n, most) <= enough) return n;
   return 0;
 }
 
 }  // namespace
 
 // S = 1/pi int int (height of x above j) (height of y above i) / |x - y|^4.
-std::optional<Approximation<double>> measure_of_distant(const LocalPair3& pair, int exponent) {
+std::optional<Approximation<double>> measure_of_distant(const LocalPair3& pair, int exponent, double relative) {
   const Part first(pair, 0, exponent), second(pair, 1, exponent);
-  const double distance = (length(first.centre() - second.centre()) - first.radius() - second.radius()) * (1 - 0x1p-40);
-  const int n = nodes_for(distance / first.radius()), m = nodes_for(distance / second.radius());
-  if (n == 0 || m == 0) return {};
+  const std::array<const Part*, 2> parts{&first, &second};
+  const double between = length(first.centre() - second.centre());
+  const double distance = (between - first.radius() - second.radius()) / kMore;
+  if (!(distance > 0)) return {};
+  // What quadrature may be off by in units of this: all of it, one coordinate after the other.
+  const double unit = first.largest() * second.largest() / (pi * distance * distance * distance * distance);
+  const double enough_each = std::max(kEnough, relative) / 4;
+  std::array<std::array<int, 2>, 2> counts{};
+  double quadrature = 0;
+  for (std::size_t p = 0; p < 2; ++p)
+    for (std::size_t c = 0; c < 2; ++c) {
+      const Part::Lines lines = parts[p]->lines(static_cast<int>(c));
+      const double most = 2 * (between / kMore - parts[1 - p]->radius() - lines.middle) / (kMore * lines.length);
+      counts[p][c] = nodes_for(most, enough_each);
+      if (counts[p][c] == 0) return {};
+      quadrature += unit * coordinate_error(counts[p][c], most);
+    }
 
   double off_first = 0, off_second = 0;
-  const std::vector<Node> outer = first.nodes(n, off_first), inner = second.nodes(m, off_second);
+  const std::vector<Node> outer = first.nodes(counts[0], off_first), inner = second.nodes(counts[1], off_second);
   CompensatedSum<double> sum;
   double sum_outer = 0, sum_inner = 0;
   for (const Node& node : inner) sum_inner += node.weight;
@@ -154,12 +190,9 @@ std::optional<Approximation<double>> measure_of_distant(const LocalPair3& pair, 
   }
   const double value = sum.value() / pi, power = distance * distance * distance * distance;
   const double off = first.off() + second.off() + 2 * kRound * (distance + 2 * (first.radius() + second.radius()));
-  const double quadrature =
-      first.largest() * second.largest() * 2 *
-      (coordinate_error(n, distance / first.radius()) + coordinate_error(m, distance / second.radius()));
   const double weights = off_first * (sum_inner + off_second) + off_second * sum_outer;
-  const double relative = (20 + static_cast<double>(inner.size()) / 4) * kRound + 4.01 * off / distance;
-  return Approximation<double>{value, 1.001 * ((quadrature + weights) / (pi * power) + relative * value)};
+  const double rounding = (20 + static_cast<double>(inner.size()) / 4) * kRound + 4.01 * off / distance;
+  return Approximation<double>{value, 1.001 * (quadrature + weights / (pi * power) + rounding * value)};
 }
 
 }  // namespace hottel

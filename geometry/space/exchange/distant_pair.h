@@ -11,12 +11,14 @@ namespace hottel {
 // Returns S, in squares of local coordinates times 2^-exponent, by quadrature over both areas; nothing where the
 // patches are not so distant that a few nodes are enough (about five times their size).
 //
-//   (1) |value - S| <= error: proven
+//   (1) |value - S| <= error: proven. What quadrature may be off by is some 1e-14 of S, or about `relative` times S
+//   where
+//       that is more
 //   (2) no number is subtracted from another of about its size: the error is some 1e-14 of S where the patches face
 //       each other, and more where one of them is almost in the plane of the other
 //
 // REQUIRES: they face each other.
 // COST: from half a microsecond, where they are far from each other, to 20.
-std::optional<Approximation<double>> measure_of_distant(const LocalPair3& pair, int exponent);
+std::optional<Approximation<double>> measure_of_distant(const LocalPair3& pair, int exponent, double relative);
 
 }  // namespace hottel

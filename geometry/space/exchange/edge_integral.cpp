@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/space/exchange/arc_lanes.h"
 #include "kernel/legendre_rule.h"
 
 namespace hottel {
@@ -41,14 +42,62 @@ Direction3 in_doubles(const LocalVector3<Real>& a) {
   return {in_double(a.x), in_double(a.y), in_double(a.z)};
 }
 
-// The integral of Lambda by a rule of n points.
-template <class Real, class Piece>
-ArcVector3<Real> integral(int n, const Piece& piece, double low, double high, double* rounding) {
+// The integrals of Lambda by both rules, and what an angle of the fine one may have lost, at most.
+template <class Real>
+struct Integrals {
+  ArcVector3<Real> coarse, fine;
+  double rounding = 0;
+};
+
+template <class Real, class LambdaAt>
+ArcVector3<Real> integral(int n, Real width, const LambdaAt& lambda_at) {
   const LegendreRule<Real>& rule = legendre_rule<Real>(n);
-  const Real width = Real(high) - Real(low);
   ArcVector3<Real> sum;
-  for (int k = 0; k < n; ++k) sum = sum + rule.weight[k] * piece.lambda(low, Real(rule.node[k] * width), rounding);
+  for (int k = 0; k < n; ++k) sum = sum + rule.weight[k] * lambda_at(k, Real(rule.node[k] * width));
   return width * sum;
+}
+
+template <class Real, class Piece>
+Integrals<Real> integrals(const Piece& piece, double low, double high) {
+  const Real width = Real(high) - Real(low);
+  Integrals<Real> result;
+  const auto coarse_at = [&](int, const Real& offset) { return piece.lambda(low, offset, nullptr); };
+  const auto fine_at = [&](int, const Real& offset) { return piece.lambda(low, offset, &result.rounding); };
+  result.coarse = integral<Real>(kCoarse<Real>, width, coarse_at);
+  result.fine = integral<Real>(kFine<Real>, width, fine_at);
+  return result;
+}
+
+// The points of both rules at once, where that is possible: the same numbers.
+template <>
+Integrals<double> integrals(const StretchPiece3& piece, double low, double high) {
+  constexpr int kCount = kCoarse<double> + kFine<double>;
+  static_assert(kCount <= kLanes3);
+  const double width = high - low;
+  Lanes3 offsets, rounding;
+  for (std::size_t k = 0; k < kLanes3; ++k) {
+    const bool is_coarse = k < kCoarse<double>;
+    const LegendreRule<double>& rule = legendre_rule<double>(is_coarse ? kCoarse<double> : kFine<double>);
+    const std::size_t node = is_coarse ? k : std::min<std::size_t>(k - kCoarse<double>, kFine<double> - 1);
+    offsets[k] = rule.node[node] * width;
+  }
+  VectorLanes3 lambda;
+  if (!sum_of_close_arcs(piece.arcs, piece.corners, low, offsets, lambda, rounding)) {
+    Integrals<double> result;
+    const auto at = [&](double* lost) {
+      return [&piece, low, lost](int, double offset) { return piece.lambda(low, offset, lost); };
+    };
+    result.coarse = integral<double>(kCoarse<double>, width, at(nullptr));
+    result.fine = integral<double>(kFine<double>, width, at(&result.rounding));
+    return result;
+  }
+  const auto lane = [&](std::size_t k) { return Direction3{lambda.x[k], lambda.y[k], lambda.z[k]}; };
+  const auto from = [&](int first) {
+    return [&lane, first](int k, double) { return lane(static_cast<std::size_t>(first + k)); };
+  };
+  return {integral<double>(kCoarse<double>, width, from(0)),
+          integral<double>(kFine<double>, width, from(kCoarse<double>)),
+          *std::max_element(rounding.begin() + kCoarse<double>, rounding.begin() + kCount)};
 }
 
 }  // namespace
@@ -150,11 +199,8 @@ void EdgeIntegral3<Real>::add_parts(std::uint32_t piece, std::uint32_t stretch, 
 template <class Real>
 typename EdgeIntegral3<Real>::Part EdgeIntegral3<Real>::make_part(std::uint32_t piece, std::uint32_t stretch,
                                                                   double low, double high) {
-  double rounding = 0;
-  const Piece& whole = with_arcs(piece);
-  const Vector coarse = integral<Real>(kCoarse<Real>, whole, low, high, nullptr);
-  const Vector fine = integral<Real>(kFine<Real>, whole, low, high, &rounding);
-  rounding *= high - low;
+  const auto [coarse, fine, most_rounding] = integrals<Real>(with_arcs(piece), low, high);
+  const double rounding = most_rounding * (high - low);
   nodes_ += kCoarse<Real> + kFine<Real>;
   Part part{piece, stretch, low, high, fine, 0, 0, 0, 0};
   part.rounding = rounding * stretches_[stretch].moment_size;

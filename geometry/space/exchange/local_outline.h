@@ -37,10 +37,12 @@ struct PatchCell3 {
 template <class Real>
 std::vector<PatchCell3<Real>> cells_of(const LocalOutline3<Real>& outline);
 
-// The shares of the four corners of a cell in a node of it: nodes a and b of a rule for n nodes.
+// The shares of the four corners of a cell in a node of it: node a of a rule along its first side, node b of one along
+// the next.
 template <class Real>
-std::array<Real, 4> shares_of_corners(const std::vector<Real>& node, std::size_t a, std::size_t b) {
-  const Real s = node[a], t = node[b], s1 = node[node.size() - 1 - a], t1 = node[node.size() - 1 - b];
+std::array<Real, 4> shares_of_corners(const std::vector<Real>& along, std::size_t a, const std::vector<Real>& across,
+                                      std::size_t b) {
+  const Real s = along[a], t = across[b], s1 = along[along.size() - 1 - a], t1 = across[across.size() - 1 - b];
   return {s1 * t1, s * t1, s * t, s1 * t};
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <utility>
@@ -27,8 +28,8 @@ namespace hottel {
 //       determinant of three has no cubic term
 //   (3) left() and right() say how far all signs that were relied on keep: up to the nearest root on each side, in
 //       doubles. A double root changes no sign and is none, by an exact discriminant. Roots that doubles leave
-//       uncertain beyond 2^-46 of the stretch, or 2^-50 where the point passes the plane of a body, are found from
-//       integers
+//       uncertain beyond 2^-46 of the stretch, or 2^-50 where the point passes the plane of a body, are those of two
+//       linear factors, where it has these, or are found from integers
 //   (4) a zero that is relied on is one for every t, or is_unlucky() says that it is not: then nothing holds, and
 //       another t is to be taken
 //
@@ -148,6 +149,14 @@ class MovingPlanes3 {
   int sign(std::uint32_t point, PlaneId3 plane, const BoundedVector& normal);
   // Relies on a sign; `value` is the product of direction and normal.
   void rely(const MovingCorner3& corner, PlaneId3 plane, const MovingVector3& normal, BoundedValue value, int sign);
+  // Three planes of which two are lines with an end in common: the determinant is that of a point beside a plane times
+  // that of another one, but for its sign.
+  struct Factors {
+    PlaneId3 plane[2];
+    std::uint32_t point[2];
+  };
+  std::optional<Factors> factors(PlaneId3 a, PlaneId3 b, PlaneId3 c) const;
+  bool rely_on_factors(const MovingCorner3& corner, PlaneId3 plane);
   bool is_small(PlaneId3 plane) const;
   bool is_small(const MovingCorner3& corner) const;
   const std::array<Integer, 3>& exact_determinant(const MovingCorner3& corner, PlaneId3 plane);  // until the next call

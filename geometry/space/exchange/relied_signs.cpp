@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "geometry/space/exchange/moving_planes.h"
 
@@ -131,7 +132,34 @@ void MovingPlanes3::rely(const MovingCorner3& corner, PlaneId3 plane, const Movi
     if (!is_unlucky_) is_unlucky_ = !is_zero_for_every_t(corner, plane);
     return;
   }
-  if (!narrow(c, e, sign, kRootError)) narrow_exactly(exact_determinant(corner, plane), sign);
+  if (!narrow(c, e, sign, kRootError) && (is_linear || !rely_on_factors(corner, plane)))
+    narrow_exactly(exact_determinant(corner, plane), sign);
+}
+
+// With n_a, n_b for the normals of lines, v for their common end, c for the other end of b: n_a x n_b = v (n_a . c), or
+// the opposite.
+std::optional<MovingPlanes3::Factors> MovingPlanes3::factors(PlaneId3 a, PlaneId3 b, PlaneId3 c) const {
+  const std::array<PlaneId3, 3> ids{a, b, c};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const PlaneId3 first = ids[k], second = ids[(k + 1) % 3], third = ids[(k + 2) % 3];
+    const Plane &p = planes_[first.index()], &q = planes_[second.index()];
+    if (p.kind != Kind::kLine || q.kind != Kind::kLine) continue;
+    if (q.a == p.a || q.a == p.b) return Factors{{third, first}, {q.a, q.b}};
+    if (q.b == p.a || q.b == p.b) return Factors{{third, first}, {q.b, q.a}};
+  }
+  return {};
+}
+
+// False where there are none.
+bool MovingPlanes3::rely_on_factors(const MovingCorner3& corner, PlaneId3 plane) {
+  const std::optional<Factors> f = factors(corner.first.plane, corner.second.plane, plane);
+  if (!f) return false;
+  for (const std::size_t k : {0U, 1U}) {
+    const MovingVector3& m = normal(f->plane[k]);
+    const MovingCorner3 at = corner_at(f->point[k], false, {});
+    rely(at, f->plane[k], m, dot(at.direction.first, m.first), this->sign(f->point[k], f->plane[k], m.first));
+  }
+  return true;
 }
 
 // The polynomial whose sign is relied on, in integers.

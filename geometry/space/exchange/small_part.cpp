@@ -139,7 +139,7 @@ std::optional<Approximation<long double>> measure_of_small(const LocalPair3& pai
   for (const PatchCell3<Real>& cell : cells)
     for (std::size_t a = 0; a < rule.node.size(); ++a)
       for (std::size_t b = 0; b < rule.node.size(); ++b) {
-        const std::array<Real, 4> share = shares_of_corners(rule.node, a, b);
+        const std::array<Real, 4> share = shares_of_corners(rule.node, a, rule.node, b);
         Vector x;
         for (std::size_t c = 0; c < 4; ++c) x = x + share[c] * small.corners[cell.corner[c]];
         const Approximation<Real> area = mixed(share, cell.density), seen = factor(x);

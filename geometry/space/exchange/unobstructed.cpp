@@ -15,6 +15,7 @@
 #include "geometry/space/exchange/local_pair.h"
 #include "geometry/space/exchange/log_distance.h"
 #include "geometry/space/exchange/small_part.h"
+#include "kernel/exact_double.h"
 
 namespace hottel {
 namespace {
@@ -133,6 +134,34 @@ Enclosure widened(double value, double error) {
   return {std::max(0.0, value * (1 - 0x1p-49) - error * (1 + 0x1p-49)), (value + error) * (1 + 0x1p-49)};
 }
 
+// In units of integer form over the weight; nothing where doubles do not tell it within 2^-49 of itself.
+std::optional<Approximation<double>> twice_the_area_in_doubles(const Patch3& patch) {
+  thread_local Integer difference;
+  const auto coordinate = [&](const Integer& from, const Integer& to) {
+    mpz_sub(difference.get_mpz_t(), to.get_mpz_t(), from.get_mpz_t());
+    return mpz_sizeinbase(difference.get_mpz_t(), 2) <= 53 ? truncated_double(difference) : HUGE_VAL;
+  };
+  const IntegerVector& first = patch.corners[0];
+  BoundedVector last, sum;
+  for (std::size_t k = 1; k < patch.corners.size(); ++k) {
+    const IntegerVector& corner = patch.corners[k];
+    BoundedVector side{coordinate(first.x, corner.x), coordinate(first.y, corner.y), coordinate(first.z, corner.z)};
+    side.size = std::max({std::fabs(side.x), std::fabs(side.y), std::fabs(side.z)});
+    if (!std::isfinite(side.size)) return {};
+    const BoundedVector normal = cross(last, side);
+    sum.x += normal.x;
+    sum.y += normal.y;
+    sum.z += normal.z;
+    sum.size += normal.size;
+    sum.error += normal.error + kRoundoff<double> * sum.size;
+    last = side;
+  }
+  const double size = std::sqrt(sum.x * sum.x + sum.y * sum.y + sum.z * sum.z);
+  const Approximation<double> result{size, 1.74 * sum.error + 4 * kRoundoff<double> * size};
+  if (!(result.error <= 0.9 * 0x1p-49 * size)) return {};
+  return result;
+}
+
 UnobstructedMeasure3 enclosed(double value, double error, const Enclosure& area, double tolerance) {
   UnobstructedMeasure3 result;
   result.bounds = widened(value, error);
@@ -166,7 +195,8 @@ UnobstructedMeasure3 unobstructed_measure(const Vertices3& vertices, const Patch
   };
   // What quadrature may be off by, in squares of what coordinates are scaled to. More digits cost next to nothing.
   const double error = std::min(tolerance, kEnough) / 2 * area.lower / in_units(1, unit, pair.weight());
-  if (const auto sum = measure_of_distant(pair, exponent); sum && is_enough(*sum)) return best;
+  // Far below what is asked for, so that sums of rows do not see it; by default below what a double tells.
+  if (const auto sum = measure_of_distant(pair, exponent, tolerance * tolerance); sum && is_enough(*sum)) return best;
   if (is_enough(OutlineSum<double>(pair, exponent)(error))) return best;
   if (const auto sum = measure_of_small(pair, exponent, error); sum && is_enough(*sum)) return best;
   if (is_enough(OutlineSum<long double>(pair, exponent)(error))) return best;
@@ -177,6 +207,9 @@ UnobstructedMeasure3 unobstructed_measure(const Vertices3& vertices, const Patch
 }
 
 Enclosure patch_area(const Vertices3& vertices, const Patch3& patch) {
+  if (const auto area = twice_the_area_in_doubles(patch))
+    return widened(in_units(area->value / 2, -2 * vertices.shift(), patch.weight),
+                   in_units(area->error / 2, -2 * vertices.shift(), patch.weight));
   const auto& corners = patch.corners;
   IntegerVector sum;
   IntegerVector last = difference(corners[1], corners[0]);

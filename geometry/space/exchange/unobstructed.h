@@ -27,8 +27,8 @@ struct UnobstructedMeasure3 {
 //       may not converge
 //
 // Some 1e-14 of the smaller area is had for all pairs whatever, touching or not, needles of 1 to 2^250 too; for patches
-// that are small against their distance, some 1e-14 of S0. Proven means: given that log and atan2 of the library are
-// within 4 units of the last place.
+// that are small against their distance, some 1e-14 of S0, or tolerance^2 of it where that is more: loose tolerances
+// cost less. Proven means: given that log and atan2 of the library are within 4 units of the last place.
 //
 // REQUIRES tolerance > 0; areas within the range of doubles. COST: 3 to 30 microseconds; up to some hundreds where
 // edges almost touch, and where more digits are asked for than doubles have; some tens of milliseconds for needles.
