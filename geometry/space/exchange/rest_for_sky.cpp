@@ -190,7 +190,7 @@ SkyByClosure take_sky_by_closure(const ElementTable3& table, double tolerance, P
       skies.push_back(rest[i].sky);
       skies.back().bounds.lower = std::max(0.0, skies.back().bounds.lower);
       told.max_error = std::max(told.max_error, over_area(table, rest[i], rest[i].sky.error));
-      told.within = std::max(told.within, over_area(table, rest[i], rest[i].allowed));
+      told.within = std::max({told.within, told.max_error, over_area(table, rest[i], rest[i].allowed)});
     }
   }
   told.told = skies.size();
