@@ -14,8 +14,7 @@ std::string sky_text(const SkyByClosure& sky) {
                      (sky.told == 1 ? "its" : "their") + " other pairs";
   if (sky.told > 0)
     text += fmt::format(", off by {:.1e} at most as these state, by {:.1e} as they may be", sky.max_error, sky.within);
-  text += fmt::format("; {} integrated to compare, {} as too little is left to tell", sky.checked,
-                      sky.integrated);
+  text += fmt::format("; {} integrated to compare, {} as too little is left to tell", sky.checked, sky.integrated);
   if (sky.checked > 0)
     text += sky.max_difference == 0 ? "; no difference"
                                     : fmt::format("; the largest difference is {:.1e}, of {}", sky.max_difference,

@@ -25,7 +25,8 @@ struct PreparedScene3;
 //   (5) the result is the same bit for bit for any number of threads
 //   (6) where the sky is asked for by closure, F to it is 1 less the others of the row, its bounds follow from theirs,
 //       and so does its error, which may be that many tolerances; other entries have the same bits.
-//       Rows that are checked, and those whose rest is less than their pairs may be off (SkyByClosure), have the integral
+//       Rows that are checked, and those whose rest is less than their pairs may be off (SkyByClosure), have the
+//       integral
 //
 // Throws UnmeasuredPairs naming the first pairs where some could not be measured, RequestError where a row that is
 // checked differs from its rest by more than its pairs may be off, and when the memory allowed
