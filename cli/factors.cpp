@@ -88,6 +88,7 @@ void require_use_of_limits(const FactorsOptions& options) {
       throw UsageError(std::string(name) +
                        " is for scenes in space: in the plane every factor is correctly rounded, and those of other "
                        "methods are as good as the method");
+  options.sky.refuse_in_plane();
 }
 
 void write_closed_forms(const FactorsOptions& options, const PreparedScene2& prepared, const FactorTable& table,
@@ -255,6 +256,7 @@ void add_factors(Commands& commands) {
       .add_option("--guarantee", options->guarantee,
                   "in space: estimated (default), or enclosed: a pair without proven bounds within T is refused")
       ->check(CLI::IsMember({"enclosed", "estimated"}));
+  options->sky.add_to(command);
   options->per_option = command
                             .add_option("--per", options->granularity,
                                         "one row per face, element or group (polyline, mesh); group is the default of "

@@ -43,6 +43,7 @@ FactorsRequest3 request_in_space(const FactorsOptions& options) {
           .wants_visibility = options.is_exact() && (options.matrix.empty() || options.matrix == "visibility"),
           .wants_measures = options.matrix == "exchange",
           .tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance),
+          .sky = options.sky.in_space(options.method),
           .must_be_enclosed = options.guarantee == "enclosed",
           .memory = options.memory,
           .store = options.store.open(options.method)};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/scene_input.h"
+#include "cli/sky_option.h"
 #include "cli/store_option.h"
 #include "cli/streams.h"
 #include "io/results/factor_files.h"
@@ -24,6 +25,7 @@ struct FactorsOptions {
   ElementOptions elements;
   PolygonOptions polygons;
   StoreOption store;
+  SkyOption sky;
   std::vector<std::string> exact_form;
   const CLI::Option *exact_form_option = nullptr, *pairs_option = nullptr, *per_option = nullptr;
   bool wants_exact_form = false, json = false, script_f = false, areas = false;

@@ -8,6 +8,7 @@
 #include "cli/machine_speed.h"
 #include "cli/room_for_elements.h"
 #include "cli/scene_input.h"
+#include "cli/sky_option.h"
 #include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
@@ -22,6 +23,7 @@ struct PlanOptions {
   std::string scene, grid;
   ElementOptions elements;
   PolygonOptions polygons;
+  SkyOption sky;
   std::optional<std::uint64_t> memory;
   bool json = false;
 };
@@ -53,6 +55,7 @@ bool is_had(const std::optional<PlannedMemory>& memory) {
 }
 
 Planned plan_of(const PlanOptions& options, Scene2 scene) {
+  options.sky.refuse_in_plane();
   options.elements.apply_to(scene);
   const Grid2 grid = grid_of(scene, options.grid);
   Planned result{nullptr, memory_of(options, scene, std::uint64_t{grid.nx} * grid.ny)};
@@ -66,7 +69,11 @@ Planned plan_of(const PlanOptions& options, Scene3 scene) {
   const std::uint64_t cells = grid ? std::uint64_t{grid->nu} * grid->nv : 0;
   Planned result{nullptr, memory_of(options, scene, cells)};
   if (is_had(result.memory))
-    result.effects = Simulation3(std::move(scene), {.plan = {.everything = false, .grid_cells = cells}}).plan();
+    result.effects =
+        Simulation3(std::move(scene), {.plan = {.everything = false,
+                                                .grid_cells = cells,
+                                                .sky_by_closure = options.sky.in_space() == SkyBy::kClosure}})
+            .plan();
   return result;
 }
 
@@ -94,6 +101,7 @@ void add_plan(Commands& commands) {
   command.add_option("SCENE", options->scene, "the scene file")->required();
   options->elements.add_to(command);
   options->polygons.add_to(command);
+  options->sky.add_to(command);
   command.add_option("--grid", options->grid, "cells of the illumination, as solve would be asked for them")
       ->type_name("NXxNY");
   command

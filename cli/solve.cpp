@@ -206,6 +206,7 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
                     Streams& streams) {
   if (options.tolerance)
     throw UsageError("--tolerance is for scenes in space: in the plane every factor is correctly rounded");
+  options.sky.refuse_in_plane();
   require_shown(request.shown, scene);
   if (request.shown.is_light() && options.shading != "flat")
     throw UsageError("--shading in the plane is of the values of --show: light between the faces has no elements");
@@ -401,6 +402,7 @@ void add_solve(Commands& commands) {
       .add_option("--tolerance", options->tolerance,
                   "in space: what each pair may be off, relative to the smaller of both areas (1e-9)")
       ->type_name("T");
+  options->sky.add_to(command);
   options->store.add_to(command);
   command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
       ->type_name("BYTES")

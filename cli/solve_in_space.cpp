@@ -114,13 +114,15 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) 
                       .granularity = is_divided(scene) || options.levels.levels().is_any() ? Granularity::kElement
                                                                                            : Granularity::kFace,
                       .tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance),
+                      .sky = options.sky.in_space(options.method),
                       .memory = options.memory.value_or(0),
                       .store = options.store.open(options.method)},
           .system = {.solver = solver_of(options, false), .iterations = options.iterations, .until = options.until},
           .light = {.grid = grid, .painter = options.no_picture ? nullptr : grid_painter_3(picture)},
           .lights = light_test_of(options, scene),
           .plan = {.everything = options.simulate == "everything",
-                   .grid_cells = grid ? std::uint64_t{grid->nu} * grid->nv : 0}};
+                   .grid_cells = grid ? std::uint64_t{grid->nu} * grid->nv : 0,
+                   .sky_by_closure = options.sky.in_space(options.method) == SkyBy::kClosure}};
 }
 
 }  // namespace

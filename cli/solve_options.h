@@ -9,6 +9,7 @@
 
 #include "cli/level_options.h"
 #include "cli/scene_input.h"
+#include "cli/sky_option.h"
 #include "cli/store_option.h"
 #include "io/results/solve_report.h"
 #include "solver/radiosity/light_test.h"
@@ -36,6 +37,7 @@ struct SolveOptions {
   LevelOptions levels;
   PolygonOptions polygons;
   StoreOption store;
+  SkyOption sky;
   bool json = false;
 };
 

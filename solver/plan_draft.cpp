@@ -50,8 +50,9 @@ void PlanDraft::add_back_faces() {
 }
 
 void PlanDraft::add_sky(bool is_one_room, double seconds) {
-  add(Plan::kSky, !is_one_room && !scene_.closed,
-      scene_.sky_emission.is_zero() ? "the scene is not promised to be closed; the sky is dark" : "the sky emits",
+  const std::string why =
+      scene_.sky_emission.is_zero() ? "the scene is not promised to be closed; the sky is dark" : "the sky emits";
+  add(Plan::kSky, !is_one_room && !scene_.closed, why + (request_.sky_by_closure ? "; told by closure" : ""),
       is_one_room ? "one closed room" : "the scene is promised to be closed", seconds);
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/name.h"
+#include "io/results/sky_report.h"
 #include "kernel/support/counted.h"
 #include "kernel/version.h"
 
@@ -189,6 +190,7 @@ std::string solve_json(const SolveReport& report) {
       json["solver"]["residual_history"][solution.channel_names[c]] = solution.channels[c].residual_history;
   }
   json["closure"] = {{"max_defect", solution.closure_defect}, {"exact", factors.closure_is_exact}};
+  if (factors.sky) json["sky"] = nlohmann::ordered_json::parse(sky_json(*factors.sky));
   json["reciprocity"] = {{"max_defect", solution.reciprocity_defect}};
   json["energy"] = energy_json(solution);
   json["bounds"] = {{"of", "these elements"},
@@ -301,6 +303,7 @@ std::string solve_text(const SolveReport& report) {
                             to_string(solution.used), counted(solution.unknowns, "unknown"),
                             counted(solution.components, "component"), counted(solution.channels.size(), "channel"),
                             solution.max_relative_width);
+  if (factors.sky) text += sky_text(*factors.sky) + "\n";
   if (report.dividing) text += dividing_text(*report.dividing);
   if (solution.channels.size() == 2)
     for (std::size_t c = 0; c < 2; ++c)

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/exchange_report.h"
+#include "geometry/sky_by_closure.h"
 #include "io/results/radiosity_files.h"
 #include "io/results/store_report.h"
 #include "io/results/temperature_files.h"
@@ -38,6 +39,7 @@ struct FactorCounts {
   std::uint64_t surfaces = 0, elements = 0, vertices = 0, pairs = 0;
   std::vector<std::pair<const char*, std::uint64_t>> tiers{};
   bool closure_is_exact = false;
+  std::optional<SkyByClosure> sky{};  // where it is told by closure
 };
 FactorCounts factor_counts(const ExchangeReport& report);
 

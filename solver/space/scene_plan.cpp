@@ -6,6 +6,7 @@
 #include <optional>
 #include <random>
 
+#include "geometry/sky_by_closure.h"
 #include "geometry/space/arrangement/arrangement.h"
 #include "geometry/space/arrangement/nothing_between.h"
 #include "geometry/space/exchange/element_table.h"
@@ -191,7 +192,9 @@ Plan plan_scene(const PreparedScene3& prepared, const PlanRequest& request) {
                       : "no face has anything before it",
             hides ? pairs * hiding->seconds_of_a_pair() : 0);
   draft.add_back_faces();
-  draft.add_sky(is_room, sees_sky ? static_cast<double>(faces.rows()) * hiding->seconds_under_sky() : 0);
+  const double under_sky =
+      static_cast<double>(request.sky_by_closure ? faces.rows() / kRowsOfASkyCheck + 1 : faces.rows());
+  draft.add_sky(is_room, sees_sky ? under_sky * hiding->seconds_under_sky() : 0);
   draft.add_subdivision();
   add_groups(scene, draft);
   draft.add_channels();

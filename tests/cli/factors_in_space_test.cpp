@@ -19,6 +19,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::StartsWith;
 using testing_cli::contents;
 using testing_cli::lines_of;
@@ -267,6 +268,34 @@ TEST_F(FactorsInSpace, ScriptFIsEnclosedWhereFactorsAre) {
   EXPECT_THAT(boxes.err, HasSubstr("as good as the view factors, some of which are estimated"));
   for (const Row& row : rows_of(place_.read("f.csv"))) EXPECT_EQ(row.guarantee, "estimated");
   EXPECT_EQ(place_.run("hottel factors two_boxes.json --script-f").code, 1);  // which channel?
+}
+
+TEST_F(FactorsInSpace, TheSkyIsWhatTheOthersLeaveWhereThatIsAskedFor) {
+  const Outcome outcome = place_.run("hottel factors screened.json --per element --sky closure --json -o f.csv");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<Row> by_closure = rows_of(place_.read("f.csv")), all = rows("screened.json --per element");
+  ASSERT_EQ(by_closure.size(), all.size());
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    EXPECT_EQ(Pair(by_closure[k].from, by_closure[k].to), Pair(all[k].from, all[k].to));
+    EXPECT_NEAR(by_closure[k].factor, all[k].factor, all[k].to == "sky" ? 1e-12 : 0) << all[k].from;
+  }
+  const auto sky = nlohmann::json::parse(outcome.out)["sky"];
+  EXPECT_EQ(sky["by"], "closure");
+  EXPECT_EQ(sky["rows"], froms_of(all).size() - 1);
+  EXPECT_EQ(sky["checked"], 1);
+  EXPECT_EQ(sky["integrated"], 0);
+  EXPECT_EQ(sky["beyond_stated"], 0);
+  EXPECT_LE(sky["max_error"], sky["within"]);
+  EXPECT_LE(sky["within"], 1e-7);
+  EXPECT_LE(sky["max_difference"], 1e-12);
+  EXPECT_THAT(outcome.err, HasSubstr("the sky by closure: 26 rows told by their other pairs, off by "));
+  EXPECT_THAT(outcome.err, HasSubstr("; 1 integrated to compare, 0 as too little is left to tell"));
+  EXPECT_THAT(place_.run("hottel factors screened.json").err, Not(HasSubstr("closure")));
+
+  // Of a closed room every row is integrated: whether it sees the sky is decided by signs.
+  const Outcome room = place_.run("hottel factors two_boxes.json --sky closure --quiet");
+  EXPECT_EQ(room.code, 0) << room.err;
+  EXPECT_EQ(room.out, place_.run("hottel factors two_boxes.json --quiet").out);
 }
 
 TEST_F(FactorsInSpace, AMeshIsASceneByItself) {

@@ -317,6 +317,42 @@ TEST(KeptFactors, PartsOfASweepAreReadAsTheyWereWritten) {
   EXPECT_FALSE(swept_part_2("", 5));
 }
 
+// Only what was measured is kept: whichever way the sky is told, a store of the other way serves, and gives it no
+// value.
+TEST(KeptFactors, ServeTheSkyByClosureAndByIntegrals) {
+  Scene3 scene = space_scene("city_block.json");
+  for (const SkyBy first : {SkyBy::kClosure, SkyBy::kIntegral}) {
+    const StoreFile file;
+    std::uint64_t read = 0, computed = 0;
+    const auto run = [&](SkyBy sky) {
+      const FactorsRequest3 asked{.sky = sky};
+      FactorsRequest3 kept = asked;
+      kept.store = file.open();
+      const auto alone = Simulation3(scene, {.factors = asked}).factors();
+      const auto with_store = Simulation3(scene, {.factors = kept}).factors();
+      expect_same(alone->matrix, with_store->matrix);
+      EXPECT_EQ(alone->report.sky.has_value(), sky == SkyBy::kClosure);
+      EXPECT_EQ(with_store->report.sky.has_value(), sky == SkyBy::kClosure);
+      if (alone->report.sky) {
+        EXPECT_EQ(alone->report.sky->told, with_store->report.sky->told);
+        EXPECT_EQ(alone->report.sky->max_difference, with_store->report.sky->max_difference);
+      }
+      read = kept.store->use().read;
+      computed = kept.store->use().computed;
+    };
+    run(first);
+    EXPECT_EQ(read, 0U);
+    const std::uint64_t all = computed;
+    run(first);
+    EXPECT_TRUE(read == all && computed == 0) << read << ' ' << computed;
+    run(first == SkyBy::kClosure ? SkyBy::kIntegral : SkyBy::kClosure);
+    EXPECT_EQ(read, all);
+    EXPECT_EQ(computed > 0, first == SkyBy::kClosure) << "the skies that were told by closure";
+    run(first);
+    EXPECT_EQ(computed, 0U);
+  }
+}
+
 TEST(KeptFactors, DependOnGeometryAndNotOnColours) {
   const StoreFile file;
   const auto computed = [&](const Scene3& scene, double tolerance = 1e-9) {

@@ -4,7 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "tests/storm/space/hiding_storm.h"
 #include "tests/storm/space/room_storm.h"
@@ -14,12 +17,25 @@
 
 namespace {
 
+// The laws of this name, all where there is none.
+template <class Law>
+std::vector<Law> laws_named(const std::string& name, std::vector<Law> all) {
+  if (name.empty()) return all;
+  std::erase_if(all, [&](const Law& law) { return law.name != name; });
+  if (all.empty()) {
+    fmt::print(stderr, "hottel_storm: there is no law called {}\n", name);
+    std::exit(2);
+  }
+  return all;
+}
+
 // Prints the result, and returns the exit code.
-template <class Result>
-int tell(const Result& result, std::chrono::steady_clock::time_point start, unsigned threads) {
+template <class Result, class Law>
+int tell(const Result& result, const std::vector<Law>& laws, std::chrono::steady_clock::time_point start,
+         unsigned threads) {
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   fmt::print(stderr, "\n");
-  fmt::print("{}\n{:.1f} s on {} threads\n", report(result), taken.count(), threads);
+  fmt::print("{}\n{:.1f} s on {} threads\n", report(result, laws), taken.count(), threads);
   return result.all_failures() == 0 ? 0 : 1;
 }
 
@@ -48,6 +64,8 @@ int main(int argc, char** argv) {
       ->capture_default_str()
       ->check(CLI::Range(0, 100));
   app.add_option("--threads", options.threads)->capture_default_str()->check(CLI::Range(1, 4096));
+  std::string law;
+  app.add_option("--law", law, "this one alone")->type_name("NAME");
   app.add_flag("--all", options.all_laws, "every law on every scene");
   CLI11_PARSE(app, argc, argv);
   if ((are_solids || are_rooms || is_hiding) && dimension != 3) {
@@ -68,9 +86,12 @@ int main(int argc, char** argv) {
     const double left = taken.count() * static_cast<double>(options.scenes - done) / static_cast<double>(done);
     fmt::print(stderr, "\r{} of {} scenes, {:.0f} s left  ", done, options.scenes, left);
   };
-  if (are_solids) return tell(run_solid_storm_3(options), start, options.threads);
-  if (is_hiding) return tell(run_hiding_storm_3(options), start, options.threads);
-  if (are_rooms) return tell(run_room_storm_3(options), start, options.threads);
-  return dimension == 2 ? tell(run_storm(options), start, options.threads)
-                        : tell(run_storm_3(options), start, options.threads);
+  const auto hold = [&](const auto& all, const auto& run) {
+    const auto laws = laws_named(law, all);
+    return tell(run(options, laws), laws, start, options.threads);
+  };
+  if (are_solids) return hold(solid_laws_3(), run_solid_storm_3);
+  if (is_hiding) return hold(hiding_laws_3(), run_hiding_storm_3);
+  if (are_rooms) return hold(room_laws_3(), run_room_storm_3);
+  return dimension == 2 ? hold(hottel::storm::laws(), run_storm) : hold(laws_3(), run_storm_3);
 }

@@ -23,8 +23,13 @@ struct PreparedScene3;
 //       exactly when nothing does (of two groups it may be told as next to 1 where something stands between that hides
 //       only what they hide themselves)
 //   (5) the result is the same bit for bit for any number of threads
+//   (6) where the sky is asked for by closure, F to it is 1 less the others of the row, its bounds follow from theirs,
+//       and so does its error, which may be that many tolerances; other entries have the same bits.
+//       Rows that are checked, and those whose rest is less than their pairs may be off (SkyByClosure), have the
+//       integral
 //
-// Throws UnmeasuredPairs naming the first pairs where some could not be measured, RequestError when the memory allowed
+// Throws UnmeasuredPairs naming the first pairs where some could not be measured, RequestError where a row that is
+// checked differs from its rest by more than its pairs may be off, and when the memory allowed
 // by the request does not suffice; passes on what `progress` throws. COST: parallel. 10 to 50 microseconds a clear
 // pair, some 0.3 ms a pair that surfaces stand between.
 ExchangeMatrix exact_exchange(const PreparedScene3& prepared, const ExchangeRequest& request = {},

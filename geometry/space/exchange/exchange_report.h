@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
+#include "geometry/sky_by_closure.h"
 #include "kernel/determinant.h"
 
 namespace hottel {
@@ -25,6 +27,7 @@ struct ExchangeReport3 {
   std::uint64_t maps = 0, pieces = 0, nodes = 0;
   SignCounts signs;
   double max_error = 0, max_defect = 0;
+  std::optional<SkyByClosure> sky;        // where it is told by closure
   std::map<std::string, double> seconds;  // of stages that ran
 };
 

@@ -23,7 +23,8 @@ namespace hottel {
 //
 //   (1) a row that has come holds the factors of that element to all that it sees
 //   (2) matrix() is that of exact_exchange, bit for bit, in whatever order and parts rows came; so are the counts
-//   (3) an element whose pair with the sky cannot be measured has none until all rows are there (take_rest_for_sky)
+//   (3) an element whose pair with the sky cannot be measured has none until all rows are there (take_rest_for_sky);
+//       where the sky is told by closure no element has any but those that are checked
 // Throws as exact_exchange does, of pairs with the sky at the end. REQUIRES that the scene outlives it.
 class ExchangeRows3 {
  public:
@@ -49,7 +50,8 @@ class ExchangeRows3 {
 
   // Takes pairs that were measured before, by another object of the same scene and request: they are not measured
   // again, and not among those that add() returns. known: which pairs these are; those of them that are not in the list
-  // exchange nothing. Where it has all pairs, all rows have come. REQUIRES that nothing was added or taken before.
+  // exchange nothing. Where it has all pairs, all rows have come. Those with the sky are integrals, however the sky is
+  // told here. REQUIRES that nothing was added or taken before.
   void take(std::vector<PairSum3> pairs, PairRanges known);
   // Where visibilities are wanted: measures elements of several patches as if nothing else were there, all pairs that
   // have come and not again. matrix() does so too.
@@ -67,6 +69,9 @@ class ExchangeRows3 {
   ExchangeMatrix matrix(ExchangeReport3* report = nullptr);
 
  private:
+  bool is_by_closure() const { return request_.sky == SkyBy::kClosure; }
+  void measure(const PairTurn3& turn, const std::function<void(double)>& progress);
+  void measure_skies();
   void measure_alone(std::span<PairSum3> pairs) const;
 
   const PreparedScene3& prepared_;
@@ -75,6 +80,8 @@ class ExchangeRows3 {
   ElementTable3 table_;
   ExchangeReport3 report_;
   std::vector<char> has_come_;  // by element, the sky last
+  std::vector<char> checks_;    // the same: whose sky is integrated to compare, where it is told by closure
+  bool has_skies_ = false;      // by closure: what has to be integrated besides has been
   std::uint32_t missing_ = 0;
   std::vector<PairSum3> pairs_;
   PairRanges known_;  // from elsewhere

@@ -123,7 +123,7 @@ std::vector<ColumnRange> PairHandover3::columns_of(std::size_t patch, std::uint3
 
 bool PairHandover3::is_ours(std::uint32_t i, std::uint32_t j) const {
   if (request_.turn == nullptr || request_.turn->has(i, j)) return true;
-  return !table_.has_row(i) && !table_.has_row(j) &&
+  return !request_.turn->is_of_sky_alone && !table_.has_row(i) && !table_.has_row(j) &&
          (request_.turn->known == nullptr || !request_.turn->known->has(i, j));
 }
 

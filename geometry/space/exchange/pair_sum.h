@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -39,14 +40,18 @@ struct FailedPair3 {
 };
 
 // Some pairs of all: those of which one element at least is called up, and none was before, and that are not known from
-// elsewhere. By label, the sky last.
+// elsewhere; of pairs with the sky those of some elements. By label, the sky last.
 struct PairTurn3 {
   const std::vector<char>& is_now;
   const std::vector<char>& was_before;
-  const PairRanges* known = nullptr;  // null: none are
+  const PairRanges* known = nullptr;            // null: none are
+  const std::vector<char>* with_sky = nullptr;  // null: all
+  bool is_of_sky_alone = false;                 // no other pairs
 
   // REQUIRES i <= j.
   bool has(std::uint32_t i, std::uint32_t j) const {
+    const bool is_sky = j + std::size_t{1} == is_now.size();
+    if (is_sky ? with_sky != nullptr && (*with_sky)[i] == 0 : is_of_sky_alone) return false;
     return (is_now[i] != 0 || is_now[j] != 0) && was_before[i] == 0 && was_before[j] == 0 &&
            (known == nullptr || !known->has(i, j));
   }

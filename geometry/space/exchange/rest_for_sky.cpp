@@ -1,46 +1,123 @@
 #include "geometry/space/exchange/rest_for_sky.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include "geometry/name.h"
+#include "kernel/rational.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// What the pairs of each element with others leave of its area.
-std::vector<PairSum3> rest_of_rows(const ElementTable3& table, const std::vector<PairSum3>& pairs) {
+// What an element's pairs with others leave of its area.
+struct Rest {
+  PairSum3 sky;        // as its pair with the sky
+  double carried = 0;  // what rounding took from sky.measure
+  double allowed = 0;  // what the pairs may be off together: the tolerance of the smaller area each
+
+  void take(const PairSum3& pair, double may_be_off) {
+    const double next = sky.measure - pair.measure, part = next - sky.measure;
+    carried += (sky.measure - (next - part)) - (pair.measure + part);
+    sky.measure = next;
+    sky.error += pair.error;
+    allowed += may_be_off;
+    sky.bounds = {std::nextafter(sky.bounds.lower - pair.bounds.upper, -kInfinity),
+                  std::nextafter(sky.bounds.upper - pair.bounds.lower, kInfinity)};
+  }
+};
+
+// By label. The numbers do not depend on the order of the pairs.
+std::vector<Rest> rest_of_rows(const ElementTable3& table, double tolerance, std::span<const PairSum3> pairs) {
   constexpr double kRounding = 0x1p-48;
-  std::vector<PairSum3> rest(table.count());
+  std::vector<Rest> rest(table.count());
   for (std::uint32_t i = 0; i < table.count(); ++i) {
     const Rounded& area = table.extent(i);
-    rest[i] = {.i = i, .j = table.sky(), .measure = area.value, .error = kRounding * area.value};
-    rest[i].bounds = area.enclosure();
+    rest[i].sky = {.i = i, .j = table.sky(), .measure = area.value, .error = kRounding * area.value};
+    rest[i].sky.bounds = area.enclosure();
   }
-  const auto take = [](PairSum3& left, const PairSum3& pair) {
-    left.measure -= pair.measure;
-    left.error += pair.error;
-    left.bounds = {std::nextafter(left.bounds.lower - pair.bounds.upper, -kInfinity),
-                   std::nextafter(left.bounds.upper - pair.bounds.lower, kInfinity)};
+  const auto take = [&](const PairSum3& pair) {
+    if (pair.j == table.sky() || pair.is_zero()) return;
+    const double allowed =
+        tolerance * std::min(table.extent(pair.i).enclosure().lower, table.extent(pair.j).enclosure().lower);
+    rest[pair.i].take(pair, allowed);
+    if (pair.j != pair.i) rest[pair.j].take(pair, allowed);
   };
-  for (const PairSum3& pair : pairs) {
-    if (pair.j == table.sky()) continue;
-    take(rest[pair.i], pair);
-    if (pair.j != pair.i) take(rest[pair.j], pair);
+  const auto key = [](const PairSum3& pair) { return std::pair(pair.i, pair.j); };
+  if (std::ranges::is_sorted(pairs, {}, key)) {
+    for (const PairSum3& pair : pairs) take(pair);
+  } else {
+    std::vector<const PairSum3*> sorted;
+    sorted.reserve(pairs.size());
+    for (const PairSum3& pair : pairs) sorted.push_back(&pair);
+    std::ranges::sort(sorted, {}, [&](const PairSum3* pair) { return key(*pair); });
+    for (const PairSum3* const pair : sorted) take(*pair);
   }
+  for (Rest& left : rest) left.sky.measure += left.carried;
   return rest;
+}
+
+std::vector<Rest> rest_of_rows(const ElementTable3& table, const std::vector<PairSum3>& pairs) {
+  return rest_of_rows(table, 0, pairs);
+}
+
+// Whether what is left is the sky's beyond doubt.
+bool is_told(const ElementTable3& table, const Rest& left) {
+  const PairSum3& sky = left.sky;
+  return table.has_row(sky.i) && sky.measure > std::max(left.allowed, sky.error) && sky.bounds.upper > 0;
+}
+
+// A number of elements to be told of, over an area.
+double over_area(const ElementTable3& table, const Rest& left, double measure) {
+  return measure / table.extent(left.sky.i).value;
+}
+
+// Puts them among the others. Both by (i, j), no pair is in both.
+void merge(std::vector<PairSum3> some, std::vector<PairSum3>& pairs) {
+  const auto middle = static_cast<std::ptrdiff_t>(pairs.size());
+  pairs.insert(pairs.end(), some.begin(), some.end());
+  std::inplace_merge(pairs.begin(), pairs.begin() + middle, pairs.end(),
+                     [](const PairSum3& a, const PairSum3& b) { return std::pair(a.i, a.j) < std::pair(b.i, b.j); });
+}
+
+// Compares what is left of a checked row with its integral; nothing stands for S = 0.
+void compare(const ElementTable3& table, double tolerance, const Rest& left, const PairSum3* integral,
+             SkyByClosure& told) {
+  const double measure = integral == nullptr ? 0 : integral->measure, error = integral == nullptr ? 0 : integral->error;
+  const double difference = std::fabs(left.sky.measure - measure);
+  const double allowed = left.allowed + tolerance * table.extent(left.sky.i).value;
+  const std::string& name = table.elements()[left.sky.i].name;
+  if (!(difference <= std::max(allowed, left.sky.error + error)))
+    throw RequestError(fmt::format(
+        "the row of {} leaves {} to the sky, which is {} by integration: they differ by {:.2g}, and may by {:.2g}. "
+        "Without --sky closure the sky is integrated",
+        quoted_name(name), shortest(over_area(table, left, left.sky.measure)),
+        shortest(over_area(table, left, measure)), over_area(table, left, difference),
+        over_area(table, left, allowed)));
+  ++told.checked;
+  told.beyond += difference > left.sky.error + error ? 1 : 0;
+  if (const double off = over_area(table, left, difference); off > told.max_difference) {
+    told.max_difference = off;
+    told.farthest = name;
+  }
 }
 
 }  // namespace
 
 void enclose_sky(const ElementTable3& table, std::vector<PairSum3>& pairs) {
-  const std::vector<PairSum3> rest = rest_of_rows(table, pairs);
+  const std::vector<Rest> rest = rest_of_rows(table, pairs);
   for (PairSum3& pair : pairs) {
     if (pair.j != table.sky()) continue;
-    const Enclosure& left = rest[pair.i].bounds;
+    const Enclosure& left = rest[pair.i].sky.bounds;
     const Enclosure both{std::max(pair.bounds.lower, left.lower), std::min(pair.bounds.upper, left.upper)};
     if (!(both.lower <= both.upper && both.upper > 0)) continue;
     pair.bounds = both;
@@ -58,22 +135,69 @@ void take_rest_for_sky(const ElementTable3& table, double tolerance, PairSums3& 
     has_other_failure[failure.i] = has_other_failure[failure.j] = 1;
   }
   if (std::find(wants.begin(), wants.end(), 1) == wants.end()) return;
-  std::vector<PairSum3> rest = rest_of_rows(table, sums.pairs);
+  std::vector<Rest> rest = rest_of_rows(table, sums.pairs);
   const auto is_known = [&](std::uint32_t i) {
-    const PairSum3& left = rest[i];
+    const PairSum3& left = rest[i].sky;
     return wants[i] != 0 && has_other_failure[i] == 0 && left.measure > left.error &&
            left.error <= tolerance * table.extent(i).value;
   };
   std::erase_if(sums.failures, [&](const FailedPair3& f) { return f.j == table.sky() && is_known(f.i); });
   std::erase_if(sums.pairs, [&](const PairSum3& pair) { return pair.j == table.sky() && is_known(pair.i); });
+  std::vector<PairSum3> skies;
   for (std::uint32_t i = 0; i < table.count(); ++i) {
     if (!is_known(i)) continue;
-    rest[i].bounds.lower = std::max(0.0, rest[i].bounds.lower);
-    const auto place = std::upper_bound(
-        sums.pairs.begin(), sums.pairs.end(), rest[i],
-        [](const PairSum3& a, const PairSum3& b) { return std::pair(a.i, a.j) < std::pair(b.i, b.j); });
-    sums.pairs.insert(place, rest[i]);
+    skies.push_back(rest[i].sky);
+    skies.back().bounds.lower = std::max(0.0, skies.back().bounds.lower);
   }
+  merge(std::move(skies), sums.pairs);
+}
+
+std::vector<char> checks_of_sky(const ElementTable3& table) {
+  std::vector<char> result(table.count() + std::size_t{1}, 0);
+  std::uint32_t rows = 0;
+  for (std::uint32_t i = 0; i < table.count(); ++i)
+    if (table.has_row(i)) result[i] = rows++ % kRowsOfASkyCheck == 0 ? 1 : 0;
+  return result;
+}
+
+std::vector<char> skies_to_integrate(const ElementTable3& table, double tolerance, std::span<const PairSum3> pairs) {
+  std::vector<char> result = checks_of_sky(table);
+  const std::vector<Rest> rest = rest_of_rows(table, tolerance, pairs);
+  for (std::uint32_t i = 0; i < table.count(); ++i)
+    result[i] = table.has_row(i) && result[i] == 0 && !is_told(table, rest[i]) ? 1 : 0;
+  return result;
+}
+
+SkyByClosure take_sky_by_closure(const ElementTable3& table, double tolerance, PairSums3& sums) {
+  const std::vector<Rest> rest = rest_of_rows(table, tolerance, sums.pairs);
+  const std::vector<char> is_checked = checks_of_sky(table);
+  std::vector<const PairSum3*> integrals(table.count(), nullptr);
+  for (const PairSum3& pair : sums.pairs)
+    if (pair.j == table.sky()) integrals[pair.i] = &pair;
+  std::vector<char> has_failed(table.count(), 0), has_rest(table.count(), 0);
+  for (const FailedPair3& failure : sums.failures)
+    if (failure.j == table.sky()) has_failed[failure.i] = 1;
+  SkyByClosure told;
+  std::vector<PairSum3> skies;
+  for (std::uint32_t i = 0; i < table.count(); ++i) {
+    if (!table.has_row(i)) continue;
+    if (is_checked[i] != 0) {
+      if (has_failed[i] == 0) compare(table, tolerance, rest[i], integrals[i], told);
+    } else if (!is_told(table, rest[i])) {
+      ++told.integrated;
+    } else {
+      has_rest[i] = 1;
+      skies.push_back(rest[i].sky);
+      skies.back().bounds.lower = std::max(0.0, skies.back().bounds.lower);
+      told.max_error = std::max(told.max_error, over_area(table, rest[i], rest[i].sky.error));
+      told.within = std::max({told.within, told.max_error, over_area(table, rest[i], rest[i].allowed)});
+    }
+  }
+  told.told = skies.size();
+  std::erase_if(sums.failures, [&](const FailedPair3& f) { return f.j == table.sky() && has_rest[f.i] != 0; });
+  std::erase_if(sums.pairs, [&](const PairSum3& pair) { return pair.j == table.sky() && has_rest[pair.i] != 0; });
+  merge(std::move(skies), sums.pairs);
+  return told;
 }
 
 }  // namespace hottel

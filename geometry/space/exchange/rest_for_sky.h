@@ -1,8 +1,10 @@
 // What elements see of the sky, told by what they see of all else.
 #pragma once
 
+#include <span>
 #include <vector>
 
+#include "geometry/sky_by_closure.h"
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/pair_sum.h"
 
@@ -16,5 +18,21 @@ void take_rest_for_sky(const ElementTable3& table, double tolerance, PairSums3& 
 // Narrows the bounds of what elements see of the sky to what their other pairs leave of their areas: proven as well as
 // these are. Numbers that are outside are moved to the nearer bound. REQUIRES all pairs that are not 0.
 void enclose_sky(const ElementTable3& table, std::vector<PairSum3>& pairs);
+
+// Where the sky is told by closure, returns whose pair with it is integrated to compare, by label: the first row's, and
+// each 32nd after it.
+std::vector<char> checks_of_sky(const ElementTable3& table);
+
+// Returns whose pairs with the sky have to be integrated besides, by label: those whose other pairs leave no more of
+// the area than they may be off, each by the tolerance of the smaller area, so that it is decided by signs whether they
+// see the sky. REQUIRES all pairs of
+// elements with rows but those with the sky, which are passed over, in any order.
+std::vector<char> skies_to_integrate(const ElementTable3& table, double tolerance, std::span<const PairSum3> pairs);
+
+// Gives all other rows what is left of their areas, and compares the integrals of those that are checked. What is
+// integrated of the others is passed over, and so are failures. REQUIRES all pairs as above, and those with the sky of
+// the rows that were to be integrated, by (i, j). Throws RequestError naming the row where what is left differs from an
+// integral by more than all pairs of the row may be off.
+SkyByClosure take_sky_by_closure(const ElementTable3& table, double tolerance, PairSums3& sums);
 
 }  // namespace hottel

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/results/granularity_noun.h"
+#include "io/results/sky_report.h"
 #include "kernel/rational.h"
 #include "kernel/version.h"
 
@@ -18,7 +19,8 @@ FactorCounts factor_counts(const ExchangeReport3& report) {
           {{"filter", report.signs.by_tier[0]},
            {"combinatorial", report.signs.by_tier[1]},
            {"exact", report.signs.by_tier[2]}},
-          false};
+          false,
+          report.sky};
 }
 
 std::string factors_json(const FactorsReport3& report) {
@@ -47,6 +49,7 @@ std::string factors_json(const FactorsReport3& report) {
   for (const auto& [tier, count] : factor_counts(counts).tiers) json["tiers"][tier] = count;
   json["seconds"] = counts.seconds;
   json["closure"] = {{"max_defect", counts.max_defect}, {"exact", false}};
+  if (counts.sky) json["sky"] = nlohmann::ordered_json::parse(sky_json(*counts.sky));
   json["bounds"] = {{"guarantee", to_string(report.guarantee)},
                     {"tolerance", report.tolerance},
                     {"max_error", counts.max_error},
@@ -79,6 +82,7 @@ std::string factors_text(const FactorsReport3& report) {
       "; rows sum to 1 within {:.1e}\n"
       "patches that are hidden from each other: {}, clear: {}, with something between: {}; {:.3f} s",
       counts.max_defect, counts.hidden, counts.clear, counts.mixed, seconds);
+  if (counts.sky) text += "\n" + sky_text(*counts.sky);
   if (report.store) text += "\n" + store_text(*report.store);
   if (report.gray) text += "\n" + gray_text(*report.gray);
   return text;

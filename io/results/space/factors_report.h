@@ -30,11 +30,12 @@ struct FactorsReport3 {
 FactorCounts factor_counts(const ExchangeReport3& report);
 
 // Returns the report as one JSON object and a final newline: `counts`, `tiers` (filter, combinatorial, exact),
-// `seconds`, `closure`, `bounds`, `script_f`; of a method that is not exact what it has of them, and `notes`.
+// `seconds`, `closure`, `sky` (by closure), `bounds`, `script_f`; of a method that is not exact what it has of them,
+// and `notes`.
 std::string factors_json(const FactorsReport3& report);
 
-// Returns two lines or three, without a final newline: pairs and how close rows come to 1; what settled them, and the
-// seconds; script-F.
+// Returns two lines or more, without a final newline: pairs and how close rows come to 1; what settled them, and the
+// seconds; the sky by closure; script-F.
 std::string factors_text(const FactorsReport3& report);
 
 }  // namespace hottel

@@ -67,6 +67,7 @@ ComputedFactors3 make_factors(const PreparedScene3& prepared, const FactorsReque
                               .wants_visibility = request.wants_visibility,
                               .wants_measures = request.wants_measures,
                               .tolerance = request.tolerance,
+                              .sky = request.sky,
                               .memory = memory_allowed(request.memory)};
   if (request.method) {
     const auto compute = [&] { return factors_by(*request.method, prepared, request, progress); };

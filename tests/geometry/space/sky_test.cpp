@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "geometry/space/arrangement/whole_patch.h"
@@ -253,6 +254,63 @@ TEST(TheSky, WhereThingsAreInOnePlane) {
                      {{0, 3, 1}, {1, 3, 1}, {0, 3, 2}}});
   for (std::uint32_t s = 0; s < 5; ++s)
     for (const bool is_back : {false, true}) EXPECT_NEAR(scene.factor(s, is_back), scene.rest(s, is_back), 1e-10) << s;
+}
+
+// A line across the middle of a cube's ceiling is a view factor of .2185506 from its floor, for each length of width
+// (quadrature of one closed form).
+TEST(TheSky, ThroughSlitsDownToABillionthOfABillionth) {
+  for (const int exponent : {3, 6, 9, 12, 15, 18}) {
+    const Rational half = ratio(1, 2), slit = 1 / Rational(Integer("1" + std::string(exponent, '0')));
+    std::vector<Points> room = box({0, 0, 0}, {1, 1, 1});
+    room.erase(room.begin() + 1);
+    std::reverse(room[0].begin() + 1, room[0].end());
+    room.push_back(level(1, 0, half, 0, 1));
+    room.push_back(level(1, half + slit, 1, 0, 1));
+    const Scene scene(room);
+    const PairMeasure3 m = scene.sky(0);
+    EXPECT_TRUE(m.problem.empty()) << m.problem;
+    EXPECT_GT(m.bounds.upper, 0) << exponent;
+    EXPECT_FALSE(m.is_whole);
+    EXPECT_NEAR(m.measure, 0.2185506 * to_double(slit), 1e-4 * to_double(slit) + 2e-12) << exponent;
+  }
+}
+
+// A face in the plane of a roof: beside it, apart from it, and with an edge on its edge; and from just below and above.
+TEST(TheSky, OfAFaceInThePlaneOfARoof) {
+  for (const long x : {2L, 3L, 9L}) {
+    const std::vector<Points> house = box({0, 0, 0}, {2, 2, 1});
+    const Scene scene(std::vector<Points>{level(1, x, x + 1, 0, 2)} + house);
+    const PairMeasure3 up = scene.sky(0);
+    EXPECT_TRUE(up.is_whole) << x;
+    EXPECT_NEAR(scene.factor(0), 1, 1e-14) << x;
+    EXPECT_NEAR(scene.factor(0, true), scene.rest(0, true), 1e-11) << x;
+    for (std::uint32_t s = 1; s <= house.size(); ++s) EXPECT_NEAR(scene.factor(s), scene.rest(s), 1e-11) << x << s;
+    for (const Rational& off : {ratio(1, 1'000'000'000), ratio(-1, 1'000'000'000)}) {
+      const Scene moved(std::vector<Points>{level(1 + off, x, x + 1, 0, 2)} + house);
+      EXPECT_EQ(moved.sky(0).is_whole, off > 0) << x << off;
+      EXPECT_NEAR(moved.factor(0), 1, 1e-8) << x << off;
+      EXPECT_NEAR(moved.factor(0), moved.rest(0), 1e-11) << x << off;
+    }
+  }
+}
+
+// Masts towards the zenith, a billionth wide, that stand on a corner, on an edge and on the inside of a face, and a
+// wall that ends in its plane.
+TEST(TheSky, BesideEdgesTowardsTheZenith) {
+  const Rational thin = ratio(1, 1'000'000'000), half = ratio(1, 2);
+  const auto mast = [&](const Rational& x, const Rational& y) {
+    return Points{{x, y, 0}, {x + thin, y, 0}, {x + thin, y, 5}, {x, y, 5}};
+  };
+  const Scene scene({level(0, 0, 1, 0, 1),
+                     mast(0, 0),
+                     mast(half, 0),
+                     mast(half, half),
+                     mast(1 - thin, 1),
+                     {{1, 0, -1}, {1, 1, -1}, {1, 1, 0}, {1, 0, 0}}});
+  for (std::uint32_t s = 0; s < scene.blockers().size(); ++s)
+    for (const bool is_back : {false, true}) EXPECT_NEAR(scene.factor(s, is_back), scene.rest(s, is_back), 1e-10) << s;
+  EXPECT_LT(scene.factor(0), 1);
+  EXPECT_NEAR(scene.factor(0), 1, 1e-8);
 }
 
 std::vector<Points> blocks(bool are_open) {

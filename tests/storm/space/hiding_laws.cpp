@@ -403,6 +403,8 @@ std::string sky_is_broken(const HidingSubject3& subject) {
   return wrong;
 }
 
+std::string matrix_is_broken(const HidingSubject3& subject) { return subject.matrix().wrong; }
+
 }  // namespace
 
 HidingSubject3::HidingSubject3(Polygons3 polygons, std::uint64_t chance)
@@ -429,6 +431,11 @@ HidingSubject3::HidingSubject3(Polygons3 polygons, std::uint64_t chance)
   }
 }
 
+const MatrixAnswer3& HidingSubject3::matrix() const {
+  if (!matrix_) matrix_ = matrix_answer_3(polygons_, chance_);
+  return *matrix_;
+}
+
 PairRequest3 HidingSubject3::request(const Patch3& i, const Patch3& j) const {
   const double area = std::min(scene_.area(i), scene_.area(j));
   const bool is_far = (i.is_sky() || j.is_sky()) && kSkies[chance_ % kSkies.size()] > 10;
@@ -443,10 +450,16 @@ double HidingSubject3::slack(const Patch3& i, const Patch3& j) const {
 }
 
 const std::vector<HidingLaw3>& hiding_laws_3() {
-  static const std::vector<HidingLaw3> all{
-      {"bodies", bodies_are_broken, 1}, {"rays", rays_are_broken, 1},      {"never first", never_first_is_broken, 1},
-      {"walked", walked_is_broken, 1},  {"closure", closure_is_broken, 1}, {"reversed", reversal_is_broken, 2},
-      {"alone", alone_is_broken, 5},    {"parts", parts_are_broken, 3},    {"sky", sky_is_broken, 2}};
+  static const std::vector<HidingLaw3> all{{"bodies", bodies_are_broken, 1},
+                                           {"rays", rays_are_broken, 1},
+                                           {"never first", never_first_is_broken, 1},
+                                           {"walked", walked_is_broken, 1},
+                                           {"closure", closure_is_broken, 1},
+                                           {"reversed", reversal_is_broken, 2},
+                                           {"alone", alone_is_broken, 5},
+                                           {"parts", parts_are_broken, 3},
+                                           {"sky", sky_is_broken, 2},
+                                           {"matrix", matrix_is_broken, 4, true}};
   return all;
 }
 

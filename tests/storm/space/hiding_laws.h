@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tests/comparison/space/pair_scene.h"
 #include "tests/storm/space/hiding_scene.h"
+#include "tests/storm/space/matrix_law.h"
 
 namespace hottel::storm {
 
@@ -35,6 +37,8 @@ class HidingSubject3 {
   std::uint64_t chance() const { return chance_; }
   const oracle::PairScene3& scene() const { return scene_; }
   const std::vector<Row>& rows() const { return rows_; }
+  // Of the whole scene; made when it is first asked for, by one thread.
+  const MatrixAnswer3& matrix() const;
   // What is asked of a pair: 1e-12 of the smaller area, or as far as doubles go.
   PairRequest3 request(const Patch3& i, const Patch3& j) const;
   double slack(const Patch3& i, const Patch3& j) const;  // in scene units
@@ -46,12 +50,14 @@ class HidingSubject3 {
   double square_;  // of the largest distance in the scene
   double sky_square_;
   std::vector<Row> rows_;
+  mutable std::optional<MatrixAnswer3> matrix_;
 };
 
 struct HidingLaw3 {
   const char* name;
   std::string (*broken)(const HidingSubject3& subject);  // what is wrong, or nothing
   unsigned every;                                        // tried in one of so many scenes
+  bool needs_matrix = false;                             // of scenes of which all pairs are measured
 };
 
 // The laws, in order.
@@ -69,6 +75,9 @@ struct HidingLaw3 {
 //   parts           S of quarters of a side sum to that of the side; S = 0 where all of them are
 //   sky             S of a side with all of the sky is the sum of those with six sides of it, and of quarters of the
 //                   side, and the same where everything is walked; so is whether S = 0
+//   matrix          rows of the whole scene, both sides of each polygon and the sky, sum to 1 within the errors that
+//                   their entries state; by closure the sky is the same within these (matrix_law.h);
+//                   of scenes of which all pairs can be measured
 const std::vector<HidingLaw3>& hiding_laws_3();
 
 }  // namespace hottel::storm

@@ -8,6 +8,7 @@
 #include "io/scene/scene_json.h"
 #include "tests/comparison/space/map_comparison.h"
 #include "tests/storm/crash_notice.h"
+#include "tests/storm/space/matrix_law.h"
 #include "tests/storm/space/shrink.h"
 
 namespace hottel::storm {
@@ -59,7 +60,9 @@ struct Hiding {
 
   static int lattice(std::uint64_t, const StormOptions&) { return CrashNotice::kHiding; }
   static Made make(std::uint64_t number, const StormOptions&) { return {hiding_scene_3(number)}; }
-  static bool is_asked(const Law&, const Subject&) { return true; }
+  static bool is_asked(const Law& law, const Subject& subject) {
+    return !law.needs_matrix || subject.matrix().refusal.empty();
+  }
   static void note(const Subject& subject, Result& result) {
     const Sights sights = sights_of(subject);
     for (std::size_t s = 0; s < kHidingSights3; ++s) result.sights[s] += sights[s] ? 1 : 0;
@@ -70,22 +73,6 @@ struct Hiding {
     return shrunk_3(scene, fails);
   }
 };
-
-Scene3 to_scene_3(const Polygons3& polygons) {
-  Scene3 scene;
-  scene.materials.emplace_back();
-  scene.materials.back().name = "black";
-  const std::vector<Polygon3> shapes = oracle::engine_polygons(polygons);
-  for (std::size_t k = 0; k < shapes.size(); ++k) {
-    Surface surface;
-    surface.name = fmt::format("{}", k);
-    surface.group = static_cast<std::uint32_t>(k);
-    surface.back = 0;
-    scene.groups.emplace_back(surface.name);
-    scene.add(std::move(surface), shapes[k]);
-  }
-  return scene;
-}
 
 }  // namespace
 
@@ -121,7 +108,7 @@ std::string report(const HidingStormResult3& result, const std::vector<HidingLaw
   for (std::size_t s = 0; s < kHidingSights3; ++s)
     text += fmt::format("{:24} {:>12}\n", to_string(static_cast<HidingSight3>(s)), result.sights[s]);
   for (const Failed<Polygons3>& failure : result.examples) {
-    Scene3 scene = to_scene_3(failure.scene);
+    Scene3 scene = scene_of_polygons_3(failure.scene);
     scene.about = fmt::format("Scene {} of the storm of hiding, shrunk: {}.", failure.number, failure.law);
     text += fmt::format("\nscene {} breaks {}:\n{}{}", failure.number, failure.law, failure.what, write_scene_3(scene));
   }

@@ -1,0 +1,22 @@
+// --sky: how it is told what is seen of the sky.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "geometry/exchange_request.h"
+
+namespace hottel {
+
+struct SkyOption {
+  std::string by;  // empty: not said
+
+  // Adds the option to the command line of a command. REQUIRES that this outlives the command.
+  void add_to(CLI::App& command);
+  // What is asked of a scene in space. Throws UsageError where it is asked of a method that is not exact.
+  SkyBy in_space(const std::string& method = "exact") const;
+  // Throws UsageError where it is asked of a scene in the plane.
+  void refuse_in_plane() const;
+};
+
+}  // namespace hottel
