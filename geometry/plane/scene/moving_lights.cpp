@@ -20,6 +20,12 @@ LightPlace2 place_after(const LightPlace2& place, const Rational& time) {
   return result;
 }
 
+Point2 sun_direction(const LightPlace2& place) {
+  if (place.turned == 0) return place.direction;
+  const std::vector<double> turning = turned({place.direction.x, place.direction.y, 0}, {0, 0, place.turned});
+  return {exact_value(turning[0]), exact_value(turning[1])};
+}
+
 bool has_moving_lights(const Scene2& scene) {
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
     const LightPlace2& place = scene.light_places[k];
