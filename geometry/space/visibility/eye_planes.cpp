@@ -5,6 +5,8 @@
 namespace hottel {
 namespace {
 
+BoundedVector nearest(const IntegerVector& a) { return rounded(a, std::max(0L, bits(a) - 53)); }
+
 void negate(BoundedVector& a) {
   a.x = -a.x;
   a.y = -a.y;
@@ -21,7 +23,8 @@ EyePlanes3::EyePlanes3(const Blockers3& blockers, Eye3 eye, bool always_exact)
   exact_normals_.resize(count);
   for (std::size_t e = 0; e < count; ++e) {
     const Blockers3::Edge& edge = blockers.edge(EdgeId3(e));
-    normals_.push_back(cross(eye_.toward(edge.from), eye_.sun() ? eye_.toward(edge.to) : edge.vector));
+    // Of a sun two directions that are close do not tell their plane in doubles: to integers they do.
+    normals_.push_back(eye_.sun() ? nearest(exact_normal(PlaneId3(e))) : cross(eye_.toward(edge.from), edge.vector));
     definitions_.push_back({PlaneDefinition3::Kind::kEdge, static_cast<std::uint32_t>(edge.from.number()),
                             static_cast<std::uint32_t>(edge.to.number())});
   }
@@ -46,7 +49,7 @@ void EyePlanes3::find_facing() {
 
 PlaneSide3 EyePlanes3::add(const PlaneDefinition3& definition, IntegerVector normal) {
   const PlaneId3 plane(normals_.size());
-  normals_.push_back(rounded(normal, std::max(0L, bits(normal) - 53)));
+  normals_.push_back(nearest(normal));
   exact_normals_.push_back(std::make_unique<IntegerVector>(std::move(normal)));
   definitions_.push_back(definition);
   return {plane, false};

@@ -297,12 +297,9 @@ class MapMaker {
     return unit(rounded_well(planes_.exact_direction(corner)));
   }
 
-  // The vector from the eye to where a corner meets the plane of a polygon; of a sun, from the origin.
+  // The vector from the eye to where a corner meets the plane of a polygon; of a sun, zero.
   Direction3 way_to(std::uint32_t target, const ConeCorner3& corner) {
-    if (const SunFrame3* const sun = planes_.eye().sun()) {
-      const Point3 place = sun->meeting(planes_.exact_direction(corner), plane_of(planes_.blockers(), target));
-      return {to_double(place.x), to_double(place.y), to_double(place.z)};
-    }
+    if (planes_.eye().sun()) return {};
     const Blockers3& blockers = planes_.blockers();
     const VertexId3 anchor = blockers.outline(target).front();
     const BoundedVector& normal = blockers.normal(target);
