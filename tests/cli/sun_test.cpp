@@ -204,6 +204,27 @@ TEST(Sun, IsKeptByConvertToldByPlanAndPassesTheCheck) {
   EXPECT_THAT(place.run("hottel plan dark.json").out, Not(HasSubstr("sun")));
 }
 
+// The ground's back is black: from below nothing with a material is lit. One that turns may come.
+TEST(Sun, ThatShinesOnNothingIsNoted) {
+  const Workplace place;
+  const auto note = [&](const std::string& scene) {
+    place.write("scene.json", scene);
+    const Outcome outcome = place.run("hottel check scene.json");
+    EXPECT_EQ(outcome.code, 0) << outcome.out;
+    return outcome.out;
+  };
+  const std::string text = "light 'up' is a sun that shines on no face with a material";
+  const std::string up = R"({"type": "sun", "name": "up", "direction": [0, 3], "irradiance": 5)";
+  const std::string up_in_space = R"({"type": "sun", "name": "up", "direction": [0, 0, 3], "irradiance": 5)";
+  EXPECT_THAT(note(yard(up + "}")), HasSubstr(text));
+  EXPECT_THAT(note(yard(up + "}")), HasSubstr("dark-sun"));
+  EXPECT_THAT(note(court(up_in_space + "}")), HasSubstr(text));
+  EXPECT_THAT(note(yard(up + R"(, "rotation": 1})")), Not(HasSubstr(text)));
+  EXPECT_THAT(note(court(up_in_space + R"(, "rotation": [1, 0, 0]})")), Not(HasSubstr(text)));
+  EXPECT_THAT(note(yard(kSun)), Not(HasSubstr("dark-sun")));
+  EXPECT_THAT(note(court(kSun3)), Not(HasSubstr("dark-sun")));
+}
+
 TEST(Sun, BordersOfItsShadowsDivideElements) {
   const Workplace place;
   for (const auto& [name, scene] : {std::pair("yard", yard(kSun)), {"court", court(kSun3)}}) {
