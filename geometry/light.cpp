@@ -10,8 +10,9 @@ std::string light_problem(const Light& light) {
   if (light.falloff < 0) return "falloff must not be below 0";
   if (light.falloff > kMaxFalloff) return "falloff must not be above " + std::to_string(kMaxFalloff);
   if (light.type == LightType::kPoint && !light.is_round()) return "is a point light: it has no focus and no falloff";
+  if (light.is_sun() && (light.falloff != 0 || light.focus != 180)) return "is a sun: it has no focus and no falloff";
   if (const auto problem = spectrum_problem(light.power, SpectrumKind::kQuantity); !problem.empty())
-    return "power " + std::string(problem);
+    return (light.is_sun() ? "irradiance " : "power ") + std::string(problem);
   return "";
 }
 

@@ -1,4 +1,4 @@
-// Lights that are no surfaces: points that shine all around, and spots that shine in a beam.
+// Lights that are no surfaces: points that shine all around, spots that shine in a beam, and suns.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace hottel {
 // The largest falloff: the beam is then narrower than a tenth of a degree.
 inline constexpr int kMaxFalloff = 1'000'000;
 
-enum class LightType : bool { kPoint, kSpot };
+enum class LightType : unsigned char { kPoint, kSpot, kSun };
 
 // A light, but for where it is. It has no area, hides nothing and is never a face.
 //
@@ -23,19 +23,24 @@ enum class LightType : bool { kPoint, kSpot };
 //   (1) the power P is what leaves the beam in all: to narrow it brightens it
 //   (2) a point light has focus 180 and falloff 0: the same in all directions
 //   (3) where the falloff is above 0 nothing leaves at more than 90 degrees from the axis: half_angle()
+//   (4) a sun is infinitely far away: its rays are parallel, and what of an element it lights gets its irradiance times
+//       the cosine. It has focus 180 and falloff 0 as it has neither, and its place says where it shines, not where it
+//       is
 struct Light {
   std::string name;
   LightType type = LightType::kPoint;
   Rational focus = 180;     // f, the half angle of the beam in degrees, 0 < f <= 180
   Rational falloff = 0;     // n >= 0
-  Spectrum power;           // P >= 0 [W; in the plane W per metre of depth]
+  Spectrum power;           // P >= 0 [W; in the plane W per metre of depth]; of a sun the irradiance of what faces it,
+                            // E >= 0 [W/m²; in the plane W/m]
   bool is_thermal = false;  // where there are two bands: of the thermal one
   int line = 0;             // where it stands in the file, 0 if nowhere
 
   // The angle from the axis, in degrees, up to which something is sent out.
   Rational half_angle() const { return falloff > 0 && focus > 90 ? Rational(90) : focus; }
   // True where the intensity is the same in all directions.
-  bool is_round() const { return falloff == 0 && focus == 180; }
+  bool is_round() const { return !is_sun() && falloff == 0 && focus == 180; }
+  bool is_sun() const { return type == LightType::kSun; }
 
   friend bool operator==(const Light&, const Light&) = default;
 };

@@ -92,13 +92,20 @@ void PlanDraft::add_dividing(double seconds) {
 }
 
 void PlanDraft::add_lights(double seconds) {
-  const std::size_t beams = static_cast<std::size_t>(
-      std::count_if(scene_.lights.begin(), scene_.lights.end(), [](const Light& light) { return !light.is_round(); }));
-  add_as_asked(Plan::kLights, !scene_.lights.empty(), counted(scene_.lights.size(), "light"), "the scene lists none",
+  const std::size_t beams =
+      static_cast<std::size_t>(std::count_if(scene_.lights.begin(), scene_.lights.end(),
+                                             [](const Light& light) { return !light.is_sun() && !light.is_round(); }));
+  const auto suns = static_cast<std::size_t>(std::ranges::count_if(scene_.lights, &Light::is_sun));
+  std::string what = counted(scene_.lights.size(), "light");
+  if (suns > 0) what += ", " + counted(suns, "sun") + " among them";
+  add_as_asked(Plan::kLights, !scene_.lights.empty(), what, "the scene lists none",
                static_cast<double>(scene_.lights.size()) * seconds);
   add_as_asked(Plan::kBeams, beams > 0,
                counted(beams, "beam") + " with a border: --light-levels divides what it crosses",
-               scene_.lights.empty() ? "there is no light" : "every light shines all around", 0);
+               scene_.lights.empty() ? "there is no light"
+               : suns > 0            ? "no light has a beam"
+                                     : "every light shines all around",
+               0);
 }
 
 void PlanDraft::add_movement(bool moves) {

@@ -57,6 +57,8 @@ NetFluxes::NetFluxes(const SceneTable& scene, const ExchangeMatrix& matrix, cons
       shining);
   lights = light_flux(shining, solution.channels.size());
   channel_names = solution.channel_names;
+  for (const Light& light : scene.lights)
+    if (light.is_sun()) has_sun[scene.has_bands && light.is_thermal ? kThermalBand : kSolarBand] = true;
   if (!scene.has_bands) return;
   channel_names.emplace_back("total");
   for (std::vector<NetFlux>* some : {&faces, &groups, &lights})

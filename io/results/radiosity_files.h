@@ -1,6 +1,7 @@
 // Radiosities and net fluxes as files.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -29,6 +30,8 @@ void write_radiosity_csv(const SceneTable& scene, const ExchangeMatrix& matrix, 
 struct NetFluxes {
   std::vector<NetFlux> faces, groups, lights;
   std::vector<std::string> channel_names;  // of all of them
+  // Whether a sun shines: in two bands by band, else the first alone. What of it passes by has no number.
+  std::array<bool, 2> has_sun{};
 
   // REQUIRES the solution of this matrix, of this scene, and the shares of its lights. COST: two passes over the matrix
   // a channel.

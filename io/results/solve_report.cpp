@@ -151,22 +151,26 @@ std::string dividing_text(const DividingEstimate& estimate) {
 namespace {
 
 // Of all channels together; of two bands one object each, by their names.
-nlohmann::ordered_json energy_json(const RadiositySolution& solution) {
-  const auto object = [](const EnergyBalance& energy) {
-    return nlohmann::ordered_json{{"emitted", energy.emitted},
-                                  {"absorbed", energy.absorbed},
-                                  {"to_sky", energy.to_sky},
-                                  {"defect", energy.defect}};
+// What of a sun passes by is infinite, and has no number: null.
+nlohmann::ordered_json energy_json(const RadiositySolution& solution, const std::array<bool, 2>& has_sun) {
+  const auto object = [](const EnergyBalance& energy, bool is_lit_by_sun) {
+    nlohmann::ordered_json json{{"emitted", energy.emitted},
+                                {"absorbed", energy.absorbed},
+                                {"to_sky", energy.to_sky},
+                                {"defect", energy.defect}};
+    if (is_lit_by_sun) json["passed"] = nullptr;
+    return json;
   };
-  if (solution.channels.size() != 2) return object(solution.energy);
+  if (solution.channels.size() != 2) return object(solution.energy, has_sun[0]);
   nlohmann::ordered_json json;
-  for (std::size_t c = 0; c < 2; ++c) json[solution.channel_names[c]] = object(solution.channels[c].energy);
+  for (std::size_t c = 0; c < 2; ++c) json[solution.channel_names[c]] = object(solution.channels[c].energy, has_sun[c]);
   return json;
 }
 
-std::string energy_text(const std::string& of, const EnergyBalance& energy) {
-  return fmt::format("energy{}: emitted {:.6g}, absorbed {:.6g}, to the sky {:.6g}, defect {:.1e}\n", of,
-                     energy.emitted, energy.absorbed, energy.to_sky, energy.defect);
+std::string energy_text(const std::string& of, const EnergyBalance& energy, bool has_sun) {
+  return fmt::format("energy{}: emitted {:.6g}, absorbed {:.6g}, to the sky {:.6g}, defect {:.1e}{}\n", of,
+                     energy.emitted, energy.absorbed, energy.to_sky, energy.defect,
+                     has_sun ? "; of the sun only what meets faces is counted" : "");
 }
 
 }  // namespace
@@ -192,7 +196,7 @@ std::string solve_json(const SolveReport& report) {
   json["closure"] = {{"max_defect", solution.closure_defect}, {"exact", factors.closure_is_exact}};
   if (factors.sky) json["sky"] = nlohmann::ordered_json::parse(sky_json(*factors.sky));
   json["reciprocity"] = {{"max_defect", solution.reciprocity_defect}};
-  json["energy"] = energy_json(solution);
+  json["energy"] = energy_json(solution, report.fluxes ? report.fluxes->has_sun : std::array<bool, 2>{});
   json["bounds"] = {{"of", "these elements"},
                     {"max_relative_width", solution.max_relative_width},
                     {"guarantee", to_string(solution.guarantee)}};
@@ -307,9 +311,11 @@ std::string solve_text(const SolveReport& report) {
   if (report.dividing) text += dividing_text(*report.dividing);
   if (solution.channels.size() == 2)
     for (std::size_t c = 0; c < 2; ++c)
-      text += energy_text(" in the " + solution.channel_names[c] + " band", solution.channels[c].energy);
+      text += energy_text(" in the " + solution.channel_names[c] + " band", solution.channels[c].energy,
+                          report.fluxes->has_sun[c]);
   else
-    text += energy_text(solution.channels.size() > 1 ? " in r, g and b together" : "", solution.energy);
+    text += energy_text(solution.channels.size() > 1 ? " in r, g and b together" : "", solution.energy,
+                        report.fluxes->has_sun[0]);
   text += flux_text(*report.fluxes) + found_text("insulated:", report.insulated) +
           found_text("given flux:", report.given_flux);
   if (report.illumination_max_error)

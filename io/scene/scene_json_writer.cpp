@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/plane/scene/moving_lights.h"
 #include "geometry/plane/scene/polyline_runs.h"
 #include "geometry/space/scene/near_plane.h"
 #include "io/scene/scene_json.h"
@@ -59,8 +60,11 @@ void write_polylines(const Scene2& scene, std::size_t first, std::string& out) {
 }
 
 std::string light_members(const Light& light, const LightPlace2& place) {
-  std::string text = fmt::format("\"position\": {}", point(place.position));
-  if (light.type == LightType::kSpot) text += fmt::format(", \"direction\": {}", point(place.direction));
+  std::string text;
+  if (!light.is_sun()) text += fmt::format("\"position\": {}", point(place.position));
+  if (light.type != LightType::kPoint)
+    text += fmt::format("{}\"direction\": {}", text.empty() ? "" : ", ",
+                        point(light.is_sun() ? sun_direction(place) : place.direction));
   if (place.rotation != 0) text += fmt::format(", \"rotation\": {}", json_number(place.rotation));
   if (!place.path) return text;
   std::string points;
@@ -108,8 +112,10 @@ class CornerWriter3 {
 std::string light_members(const Light& light, const LightPlace3& place) {
   const Point3& at = place.position;
   const Vector3 &along = place.direction, &turn = place.rotation;
-  std::string text = fmt::format("\"position\": {}", triple(at.x, at.y, at.z));
-  if (light.type == LightType::kSpot) text += fmt::format(", \"direction\": {}", triple(along.x, along.y, along.z));
+  std::string text;
+  if (!light.is_sun()) text += fmt::format("\"position\": {}", triple(at.x, at.y, at.z));
+  if (light.type != LightType::kPoint)
+    text += fmt::format("{}\"direction\": {}", text.empty() ? "" : ", ", triple(along.x, along.y, along.z));
   if (!turn.is_zero()) text += fmt::format(", \"rotation\": {}", triple(turn.x, turn.y, turn.z));
   if (!place.path) return text;
   std::string points;

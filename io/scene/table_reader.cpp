@@ -259,10 +259,10 @@ void TableReader::read_lights(const JsonValue& list, const std::function<void(Li
 }
 
 LightEntry TableReader::read_light(const JsonValue& value, const std::string& default_name) {
-  const auto [type, name, position, direction, focus, falloff, power, rotation, path, about, band] =
+  const auto [type, name, position, direction, focus, falloff, power, rotation, path, about, band, irradiance] =
       read_members(value, {default_name},
-                   std::array<std::string_view, 11>{"type", "name", "position", "direction", "focus", "falloff",
-                                                    "power", "rotation", "path", "about", "band"});
+                   std::array<std::string_view, 12>{"type", "name", "position", "direction", "focus", "falloff",
+                                                    "power", "rotation", "path", "about", "band", "irradiance"});
   LightEntry entry;
   Light& light = entry.light;
   light.name = name ? read_string(name, {default_name, "name"}) : default_name;
@@ -270,22 +270,31 @@ LightEntry TableReader::read_light(const JsonValue& value, const std::string& de
   entry.owner = "light " + quoted_name(light.name);
   require_member(type, "type", value, {entry.owner});
   const std::string kind = read_string(type, {entry.owner, "type"});
-  if (kind != "point" && kind != "spot")
-    refuse(type, entry.owner + ": type is " + quoted_name(kind) + R"(; it may be "point" or "spot")");
-  light.type = kind == "spot" ? LightType::kSpot : LightType::kPoint;
+  if (kind != "point" && kind != "spot" && kind != "sun")
+    refuse(type, entry.owner + ": type is " + quoted_name(kind) + R"(; it may be "point", "spot" or "sun")");
+  light.type = kind == "spot" ? LightType::kSpot : kind == "sun" ? LightType::kSun : LightType::kPoint;
+  if (light.is_sun())
+    for (const auto& [member, key] :
+         {std::pair(position, "position"), {path, "path"}, {power, "power"}, {focus, "focus"}, {falloff, "falloff"}})
+      if (member)
+        refuse(member, entry.owner + " is a sun, infinitely far away: it has no " + key,
+               {"it has a direction and an irradiance, of a surface that faces it, and may have a rotation"});
+  if (!light.is_sun() && irradiance) refuse(irradiance, entry.owner + " is no sun: it has no irradiance, but a power");
   if (light.type == LightType::kPoint)
     for (const auto& [member, key] : {std::pair(direction, "direction"), {focus, "focus"}, {falloff, "falloff"}})
       if (member) refuse(member, entry.owner + " is a point light: it has no " + key, {R"(a beam has "type": "spot")"});
-  if (light.type == LightType::kSpot) require_member(direction, "direction", value, {entry.owner});
-  require_member(power, "power", value, {entry.owner});
-  light.power = read_spectrum_in_range(power, {entry.owner, "power"}, SpectrumKind::kQuantity);
+  if (light.type != LightType::kPoint) require_member(direction, "direction", value, {entry.owner});
+  const char* const how_much = light.is_sun() ? "irradiance" : "power";
+  const JsonValue strength = light.is_sun() ? irradiance : power;
+  require_member(strength, how_much, value, {entry.owner});
+  light.power = read_spectrum_in_range(strength, {entry.owner, how_much}, SpectrumKind::kQuantity);
   of_lights_.push_back({value, entry.owner, {}, band});
   if (band) light.is_thermal = read_is_thermal(band, entry.owner);
   if (focus) light.focus = read_number(focus, {entry.owner, "focus"});
   if (falloff) light.falloff = read_number(falloff, {entry.owner, "falloff"});
   if (about) read_string(about, {entry.owner, "about"});
   if (const std::string problem = light_problem(light); !problem.empty()) refuse(value, entry.owner + ": " + problem);
-  if (!path) require_member(position, "position", value, {entry.owner});
+  if (!path && !light.is_sun()) require_member(position, "position", value, {entry.owner});
   entry.position = position;
   entry.direction = direction;
   entry.rotation = rotation;

@@ -91,7 +91,8 @@ class TableReader {
   // Reads an item of "lights" but for what depends on the dimension.
   //
   //   (1) `type` and `power` must be there, of a spot `direction` too; a point light has neither direction nor focus
-  //       nor falloff. There is a `position` or a `path`
+  //       nor falloff. There is a `position` or a `path`. Of a sun `direction` and `irradiance` must be there, and none
+  //       of `position`, `path`, `power`, `focus` and `falloff` may be
   //   (2) a light without a name is called light[k]; its name is one that a surface could have
   LightEntry read_light(const JsonValue& value, const std::string& default_name);
   // Appends the lights of a list: read_place(entry) makes of an entry where it is, and puts both into the scene.

@@ -170,15 +170,15 @@ void write_lights(const SceneTable& table, const std::function<std::string(std::
   JsonBlock block(out, "lights", '[', ']');
   for (std::size_t k = 0; k < table.lights.size(); ++k) {
     const Light& light = table.lights[k];
-    const bool is_spot = light.type == LightType::kSpot;
-    std::string text = fmt::format("{{\"type\": \"{}\", \"name\": {}, {}", is_spot ? "spot" : "point",
-                                   json_string(light.name), place_members(k));
+    const char* const type = light.is_sun() ? "sun" : light.type == LightType::kSpot ? "spot" : "point";
+    std::string text =
+        fmt::format("{{\"type\": \"{}\", \"name\": {}, {}", type, json_string(light.name), place_members(k));
     if (light.focus != 180) text += fmt::format(", \"focus\": {}", json_number(light.focus));
     if (light.falloff != 0) text += fmt::format(", \"falloff\": {}", json_number(light.falloff));
     if (light.is_thermal) text += ", \"band\": \"thermal\"";
     const std::size_t band = light.is_thermal ? kThermalBand : kSolarBand;
     const Spectrum power = table.has_bands ? Spectrum::scalar(light.power.value[band]) : light.power;
-    block.add(text + fmt::format(", \"power\": {}}}", spectrum(power)));
+    block.add(text + fmt::format(", \"{}\": {}}}", light.is_sun() ? "irradiance" : "power", spectrum(power)));
   }
   block.end();
 }

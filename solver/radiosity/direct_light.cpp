@@ -38,12 +38,14 @@ SourceSpectrum rounded_outward(const Channels& sum, const Enclosure& area, bool 
 
 bool counts(const Enclosure& sky) { return sky.lower > 0 || sky.upper > 0x1p-64; }
 
-// What the shares of a light lack of 1.
+Rational middle(const Enclosure& within) { return (exact_value(within.lower) + exact_value(within.upper)) / 2; }
+
+// What the shares of a light lack of all of it.
 Rational missing_share(const LightShares& shares) {
   if (!shares.solid.empty()) return 0;
-  Rational rest = 1;
+  Rational rest = middle(shares.whole);
   for (const Enclosure& share : shares.of_element) rest -= exact_value(share.lower);
-  if (counts(shares.sky)) rest -= (exact_value(shares.sky.lower) + exact_value(shares.sky.upper)) / 2;
+  if (counts(shares.sky)) rest -= middle(shares.sky);
   return rest;
 }
 
@@ -135,7 +137,7 @@ std::optional<std::string> estimated_light_note(std::span<const Light> lights, s
     estimated = &shares[k];
     const Spectrum& its = lights[k].power;
     const Rational all = its.is_scalar ? its.value[0] : Rational(its.value[0] + its.value[1] + its.value[2]);
-    power += all;
+    power += all * middle(shares[k].whole);
     missing += all * missing_share(shares[k]);
   }
   if (estimated == nullptr) return std::nullopt;

@@ -21,12 +21,16 @@ namespace hottel {
 //   (1) numbers within these bounds, not below 0, sum to 1
 //   (2) a light in a solid sends nothing out: all shares are 0, and `solid` is the group that makes it
 //   (3) shares of elements by another test than kExact are estimates: no bounds of anything, and (1) is not true of
-//   them
+//       them
+//   (4) of a sun they are areas: of what it lights of each element, as its rays see it, so that irradiance times share
+//       is what arrives there. They sum to `whole`; what passes by, to the sky, has no number, and its share is 0
+//       [scene unit squared; in the plane scene unit]
 struct LightShares {
   std::vector<Enclosure> of_element;  // by element
   Enclosure sky{0, 0};
   std::string solid;  // empty: it is in none
   LightTest test = LightTest::kExact;
+  Enclosure whole{1, 1};  // what the shares by the exact test sum to
 };
 
 // The power of lights that meets first what has no row, within bounds, by channel: of black backs and of the sky, which

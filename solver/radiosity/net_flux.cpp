@@ -4,6 +4,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
 #include "solver/radiosity/scaled_ball.h"
 
@@ -97,8 +98,11 @@ std::vector<NetFlux> light_flux(const ShiningLights& shining, std::size_t channe
     NetFlux& flux = result.emplace_back(NetFlux{shining.lights[k].name, {}, {}});
     for (std::size_t c = 0; c < channels; ++c) {
       const Rational& power = shining.lights[k].power.value[c];
-      flux.by_channel.push_back(shining.shares[k].solid.empty() ? power_of(ScaledBall::around(power, power))
-                                                                : NetFlux::Power{});
+      const Enclosure& whole = shining.shares[k].whole;
+      flux.by_channel.push_back(
+          shining.shares[k].solid.empty()
+              ? power_of(ScaledBall::around(power * exact_value(whole.lower), power * exact_value(whole.upper)))
+              : NetFlux::Power{});
     }
   }
   return result;

@@ -51,8 +51,8 @@ std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolut
                               const std::function<std::string(const Element&)>& name_of,
                               const ShiningLights& shining = {});
 
-// Returns the power of each light, in so many channels; of one in a solid 0, as nothing leaves it. What estimated
-// shares lack or have too much is not told here.
+// Returns the power of each light, in so many channels; of one in a solid 0, as nothing leaves it; of a sun what of it
+// meets faces. What estimated shares lack or have too much is not told here.
 std::vector<NetFlux> light_flux(const ShiningLights& shining, std::size_t channels);
 
 }  // namespace hottel

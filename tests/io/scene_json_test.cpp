@@ -414,7 +414,7 @@ TEST(SceneJson, RefusesWrongLightsByNameAndLine) {
   const auto light = [](const std::string& text) { return refusal(scene_with("\"lights\": [{" + text + "}]")); };
   EXPECT_EQ(light(R"("type": "spot")"), "scene.json:3: light 'light[0]' has no \"direction\"");
   EXPECT_EQ(light(R"("type": "lamp")"),
-            "scene.json:3: light 'light[0]': type is 'lamp'; it may be \"point\" or \"spot\"");
+            "scene.json:3: light 'light[0]': type is 'lamp'; it may be \"point\", \"spot\" or \"sun\"");
   EXPECT_EQ(light(R"("type": "point", "position": [9, 9])"), "scene.json:3: light 'light[0]' has no \"power\"");
   EXPECT_EQ(light(R"("type": "point", "power": 1)"), "scene.json:3: light 'light[0]' has no \"position\"");
   for (const std::string key : {"direction", "focus", "falloff"})
@@ -426,6 +426,15 @@ TEST(SceneJson, RefusesWrongLightsByNameAndLine) {
     EXPECT_EQ(light(spot + "[1, 0], \"focus\": " + focus),
               "scene.json:3: light 'light[0]': focus must be greater than 0 and at most 180 degrees");
   EXPECT_EQ(light(spot + "[1, 0], \"falloff\": -1"), "scene.json:3: light 'light[0]': falloff must not be below 0");
+  const std::string sun = R"("type": "sun", "direction": [1, -1])";
+  EXPECT_EQ(light(sun), "scene.json:3: light 'light[0]' has no \"irradiance\"");
+  EXPECT_EQ(light(sun + ", \"irradiance\": -1"), "scene.json:3: light 'light[0]': irradiance must not be negative");
+  EXPECT_EQ(light(sun + ", \"irradiance\": 1"), "");
+  for (const std::string key : {"position", "path", "power", "focus", "falloff"})
+    EXPECT_EQ(light(sun + ", \"irradiance\": 1, \"" + key + "\": 10"),
+              "scene.json:3: light 'light[0]' is a sun, infinitely far away: it has no " + key);
+  EXPECT_EQ(light(R"("type": "sun", "irradiance": 1, "direction": [0, 0])"),
+            "scene.json:3: light 'light[0]' shines nowhere: its direction is zero");
   EXPECT_EQ(light(R"("type": "point", "power": -1, "position": [9, 9])"),
             "scene.json:3: light 'light[0]': power must not be negative");
   EXPECT_EQ(light(R"("type": "point", "power": 1, "path": {"points": [[9, 9]], "seconds": 1})"),

@@ -18,6 +18,7 @@ namespace {
 Rational two_digits(const Rational& value) { return rounded_decimal(value, 2 - decades(value)); }
 
 void step_focus(Light& light, int sign) {
+  if (light.is_sun()) return;
   const Rational widest = light.falloff > 0 ? 90 : 180, narrowest(1, 10);
   const Rational from = std::min(light.focus, widest);
   light.focus = std::clamp(two_digits(sign > 0 ? from * 5 / 4 : from * 4 / 5), narrowest, widest);
@@ -61,13 +62,13 @@ std::string read_numbers(const std::string& text, std::span<Rational> numbers) {
 }
 
 std::string read_part(const Part& part, Light& light, std::span<Rational> rotation) {
-  if (part.word == "power") {
+  if (part.word == "power" || part.word == "irradiance") {
     if (part.values == " " + spectrum_text(light.power)) return "";
     const Typed<Spectrum> typed = typed_spectrum(part.values, SpectrumKind::kQuantity);
     if (typed.value) light.power = *typed.value;
     return typed.problem;
   }
-  light.type = LightType::kSpot;
+  if (!light.is_sun()) light.type = LightType::kSpot;
   if (part.word == "focus") return read_numbers(part.values, {&light.focus, 1});
   if (part.word == "falloff") return read_numbers(part.values, {&light.falloff, 1});
   return read_numbers(part.values, rotation);
@@ -84,7 +85,7 @@ void edit_light(Light& light, std::string_view name) {
 
 void edit_light(Light& light, std::span<Rational> rotation, std::string_view name) {
   if (name != "spin") return edit_light(light, name);
-  if (light.type != LightType::kSpot) return;
+  if (light.type == LightType::kPoint) return;
   const bool turns = std::ranges::any_of(rotation, [](const Rational& rate) { return rate != 0; });
   std::ranges::fill(rotation, Rational(0));
   if (!turns) rotation.back() = kSpin;
@@ -97,6 +98,7 @@ std::string why_light_stays(std::string_view name) {
 }
 
 std::string light_text(const Light& light, std::span<const Rational> rotation) {
+  if (light.is_sun()) return fmt::format("irradiance {}; rotation {}", spectrum_text(light.power), texts_of(rotation));
   std::string text = "power " + spectrum_text(light.power);
   if (light.type == LightType::kPoint) return text;
   return text + fmt::format("; focus {}; falloff {}; rotation {}", short_text(light.focus), short_text(light.falloff),
@@ -107,7 +109,10 @@ std::string read_light(const std::string& text, Light& light, std::span<Rational
   Light read = light;
   std::vector<Rational> turning(rotation.begin(), rotation.end());
   for (const Part& part : parts_of(text)) {
-    if (part.word != "power" && part.word != "focus" && part.word != "falloff" && part.word != "rotation")
+    if (light.is_sun() && part.word != "irradiance" && part.word != "rotation")
+      return "a sun: say 'irradiance' or 'rotation', not '" + part.word + "'";
+    if (!light.is_sun() && part.word != "power" && part.word != "focus" && part.word != "falloff" &&
+        part.word != "rotation")
       return "say 'power', 'focus', 'falloff' or 'rotation', not '" + part.word + "'";
     if (const std::string problem = read_part(part, read, turning); !problem.empty()) return part.word + ": " + problem;
   }

@@ -19,10 +19,10 @@ struct LightPath2 {
 
 // One light of a scene: what Light leaves open.
 struct LightPlace2 {
-  Point2 position;
-  Point2 direction{1, 0};               // of a spot: a vector along the axis of its beam, not zero, of any length
-  Rational turned = 0;                  // how far the axis is turned from there, in degrees, counter-clockwise
-  Rational rotation = 0;                // of the axis, in degrees a second, counter-clockwise
+  Point2 position;         // of no meaning for a sun
+  Point2 direction{1, 0};  // of a spot: along the axis of its beam; of a sun: of its rays; of any length, not zero
+  Rational turned = 0;     // how far the axis is turned from there, in degrees, counter-clockwise
+  Rational rotation = 0;   // of the axis, in degrees a second, counter-clockwise
   std::optional<LightPath2> path = {};  // what the position follows when time passes
   friend bool operator==(const LightPlace2&, const LightPlace2&) = default;
 };

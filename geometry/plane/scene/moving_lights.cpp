@@ -20,6 +20,17 @@ LightPlace2 place_after(const LightPlace2& place, const Rational& time) {
   return result;
 }
 
+Point2 sun_direction(const LightPlace2& place) {
+  if (const Rational quarters = place.turned / 90; quarters.get_den() == 1) {
+    Point2 direction = place.direction;
+    for (unsigned long k = mpz_fdiv_ui(quarters.get_num_mpz_t(), 4); k > 0; --k)
+      direction = {-direction.y, direction.x};
+    return direction;
+  }
+  const std::vector<double> turning = turned({place.direction.x, place.direction.y, 0}, {0, 0, place.turned});
+  return {exact_value(turning[0]), exact_value(turning[1])};
+}
+
 bool has_moving_lights(const Scene2& scene) {
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
     const LightPlace2& place = scene.light_places[k];

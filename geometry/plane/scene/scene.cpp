@@ -25,7 +25,9 @@ bool is_on(const Point2& point, const Edge2& edge) {
 std::string place_problem(const Scene2& scene, const Light& light, const LightPlace2& place) {
   if (!has_lowest_terms(place.position) || !has_lowest_terms(place.direction))
     return "has a coordinate that is not in lowest terms (mpq_class::canonicalize)";
-  if (light.type == LightType::kSpot && place.direction == Point2{0, 0}) return "shines nowhere: its direction is zero";
+  if (light.type != LightType::kPoint && place.direction == Point2{0, 0})
+    return "shines nowhere: its direction is zero";
+  if (light.is_sun()) return place.path ? "is a sun: it has no path" : "";
   for (std::size_t s = 0; s < scene.edges.size(); ++s)
     if (is_on(place.position, scene.edges[s]))
       return "lies on the surface " + quoted_name(scene.surfaces[s].name) + "; a light has to be beside it";

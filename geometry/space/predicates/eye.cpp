@@ -47,6 +47,14 @@ Eye3::Eye3(const Vertices3& vertices, const Point3& point) : vertices_(&vertices
   unit_ = to_double(scaled_by_power_of_two(vertices.scale() / denominator_, shift_));
 }
 
+Eye3 Eye3::of_sun(const Vertices3& vertices, const Vector3& direction) {
+  Eye3 result(vertices);
+  result.sun_ = std::make_shared<const SunFrame3>(vertices, direction);
+  result.toward_.reserve(vertices.size());
+  for (std::size_t k = 0; k < vertices.size(); ++k) result.toward_.push_back(result.sun_->approximate(VertexId3(k)));
+  return result;
+}
+
 void Eye3::look_small() {
   const Int128 x = to_int128(numerator_.x), y = to_int128(numerator_.y), z = to_int128(numerator_.z);
   const auto q = static_cast<Int128>(denominator_.get_si());
@@ -70,6 +78,7 @@ void Eye3::look_large() {
 
 IntegerVector Eye3::exact_vector(VertexId3 v) const {
   const IntegerVector& p = vertices_->exact(v);
+  if (sun_) return sun_->toward(p, 1);
   return {denominator_ * p.x - numerator_.x, denominator_ * p.y - numerator_.y, denominator_ * p.z - numerator_.z};
 }
 

@@ -19,9 +19,9 @@ struct LightPath3 {
 
 // One light of a scene: what Light leaves open.
 struct LightPlace3 {
-  Point3 position;
-  Vector3 direction{0, 0, -1};          // of a spot: along the axis of its beam, not zero, of any length
-  Vector3 rotation;                     // of the axis: Rz Ry Rx, each angle in degrees a second
+  Point3 position;              // of no meaning for a sun
+  Vector3 direction{0, 0, -1};  // of a spot: along the axis of its beam; of a sun: of its rays; of any length, not zero
+  Vector3 rotation;             // of the axis: Rz Ry Rx, each angle in degrees a second
   std::optional<LightPath3> path = {};  // what the position follows when time passes
   friend bool operator==(const LightPlace3&, const LightPlace3&) = default;
 };

@@ -23,7 +23,8 @@ bool is_near(const Polygon3& polygon, const Point3& place) {
 }  // namespace
 
 std::string light_place_problem(const Scene3& scene, const Light& light, const LightPlace3& place) {
-  if (light.type == LightType::kSpot && place.direction.is_zero()) return "shines nowhere: its direction is zero";
+  if (light.type != LightType::kPoint && place.direction.is_zero()) return "shines nowhere: its direction is zero";
+  if (light.is_sun()) return place.path ? "is a sun: it has no path" : "";
   for (std::size_t s = 0; s < scene.polygons.size(); ++s) {
     if (!is_near(scene.polygons[s], place.position)) continue;
     for (const Polygon3& facet : facets_of(scene.polygons[s]))

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "geometry/space/predicates/eye.h"
+#include "geometry/space/visibility/eye_planes.h"
 #include "kernel/coprime_integers.h"
 #include "kernel/support/failure.h"
 
@@ -13,12 +14,14 @@ namespace {
 // The normals that definitions of planes mean (PlaneDefinition3).
 class PlaneNormals {
  public:
-  PlaneNormals(const Blockers3& blockers, const Point3& eye) : blockers_(blockers), eye_(blockers.vertices(), eye) {}
+  PlaneNormals(const Blockers3& blockers, Eye3 eye) : blockers_(blockers), eye_(std::move(eye)) {}
 
   IntegerVector operator()(const PlaneDefinition3& plane) {
     HOTTEL_REQUIRE(plane.kind != PlaneDefinition3::Kind::kHorizon);
     if (plane.kind == PlaneDefinition3::Kind::kEdge)
       return primitive(cross(eye_.exact_toward(VertexId3(plane.a)), eye_.exact_toward(VertexId3(plane.b))));
+    if (const SunFrame3* const sun = eye_.sun())
+      return sun->crossing(plane_of(blockers_, plane.a), plane_of(blockers_, plane.b));
     // Polygon k is met at h_k / (N_k . w) > 0: at a before b where 0 < |h_b| |N_a . w| - |h_a| |N_b . w|.
     const Integer of_a = height(plane.a), of_b = height(plane.b);
     const IntegerVector m = primitive(
@@ -105,7 +108,19 @@ ExactMap3::ExactMap3(const Blockers3& blockers, const Point3& eye)
   };
   numerator_ = {numerator(p.x), numerator(p.y), numerator(p.z)};
 
-  PlaneNormals normal_of(blockers, eye);
+  make_cones(PlaneNormals(blockers, Eye3(blockers.vertices(), eye)));
+}
+
+ExactMap3 ExactMap3::of_sun(const Blockers3& blockers, const Vector3& direction) {
+  ExactMap3 result(blockers);
+  result.sun_ = std::make_shared<const SunFrame3>(blockers.vertices(), direction);
+  result.map_ = map_of_sun(blockers, direction);
+  result.make_cones(PlaneNormals(blockers, Eye3::of_sun(blockers.vertices(), direction)));
+  return result;
+}
+
+template <class NormalOf>
+void ExactMap3::make_cones(NormalOf normal_of) {
   std::vector<IntegerVector> normals;
   normals.reserve(map_.planes.size());
   for (const PlaneDefinition3& plane : map_.planes) normals.push_back(normal_of(plane));
@@ -125,6 +140,12 @@ std::vector<Point3> ExactMap3::corners_on_face(std::size_t fragment) const {
   const std::uint32_t s = map_.fragments[fragment].face.surface;
   const Vertices3& vertices = blockers_.vertices();
   const IntegerVector &normal = blockers_.exact_normal(s), &v = vertices.exact(blockers_.outline(s).front());
+  if (sun_) {
+    std::vector<Point3> places;
+    for (const IntegerVector& corner : cones_[fragment].corners)
+      places.push_back(sun_->meeting(corner, plane_of(blockers_, s)));
+    return places;
+  }
   // The way to the vertex, and so to the plane, in integer form times the denominator.
   const Integer height = dot(normal, difference(multiple(denominator_, v), numerator_));
   const Rational unit = vertices.scale() / denominator_;
@@ -139,6 +160,7 @@ std::vector<Point3> ExactMap3::corners_on_face(std::size_t fragment) const {
 }
 
 IntegerVector ExactMap3::toward(const Point3& point) const {
+  if (sun_) return sun_->toward(point);
   const Vector3 way = point - eye_;
   const auto [x, y, z] = coprime_integers<3>({way.x, way.y, way.z});
   return {x, y, z};
@@ -147,7 +169,8 @@ IntegerVector ExactMap3::toward(const Point3& point) const {
 ExactCone3 ExactMap3::cone_of(const Patch3& patch) const {
   std::vector<IntegerVector> ways;
   for (const IntegerVector& corner : patch.corners)
-    ways.push_back(difference(multiple(denominator_, corner), multiple(patch.weight, numerator_)));
+    ways.push_back(sun_ ? sun_->toward(corner, patch.weight)
+                        : difference(multiple(denominator_, corner), multiple(patch.weight, numerator_)));
   // Seen from its front a patch runs counter-clockwise, and so clockwise around the ways to it.
   if (dot_sign(cross(difference(ways[1], ways[0]), difference(ways[2], ways[1])), ways[0]) < 0)
     std::reverse(ways.begin(), ways.end());
@@ -162,9 +185,9 @@ int ExactMap3::nearness(const Point3& point, std::uint32_t polygon) const {
   const IntegerVector &normal = blockers_.exact_normal(polygon),
                       &v = vertices.exact(blockers_.outline(polygon).front());
   const Point3 p = vertices.from_scene(point);
-  const Integer at_eye = dot(normal, difference(numerator_, multiple(denominator_, v)));
+  const int at_eye = sun_ ? sun_->facing(normal) : sgn(dot(normal, difference(numerator_, multiple(denominator_, v))));
   const Rational at_point = normal.x * (p.x - v.x) + normal.y * (p.y - v.y) + normal.z * (p.z - v.z);
-  return sgn(at_point) * sgn(at_eye);
+  return sgn(at_point) * at_eye;
 }
 
 }  // namespace hottel

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "geometry/space/arrangement/blockers.h"
 #include "geometry/space/arrangement/patch.h"
 #include "geometry/space/point.h"
+#include "geometry/space/predicates/sun_frame.h"
 #include "geometry/space/visibility/point_map.h"
 
 namespace hottel {
@@ -34,7 +36,7 @@ struct ExactCone3 {
 // COST: an integer product for each side of one and corner of the other.
 std::optional<ExactCone3> common_cone(const ExactCone3& cone, const ExactCone3& other);
 
-// What is seen from a point, for questions that need more than doubles.
+// What is seen from a point, or from a sun (SunFrame3), for questions that need more than doubles.
 //
 //   (1) fragments are those of map_from(): cone(k) is that of map().fragments[k]; map().fragments[k].face is a side of
 //       a polygon of the blockers
@@ -46,28 +48,39 @@ std::optional<ExactCone3> common_cone(const ExactCone3& cone, const ExactCone3& 
 class ExactMap3 {
  public:
   ExactMap3(const Blockers3& blockers, const Point3& eye);
+  // What a sun sees, by the direction of its rays, which is not zero. Cones are of directions of SunFrame3.
+  static ExactMap3 of_sun(const Blockers3& blockers, const Vector3& direction);
 
   const Blockers3& blockers() const { return blockers_; }
+  // REQUIRES no sun.
   const Point3& eye() const { return eye_; }
+  // Of a sun; else null.
+  const SunFrame3* sun() const { return sun_.get(); }
   const PointMap3& map() const { return map_; }
   std::size_t size() const { return cones_.size(); }
   const ExactCone3& cone(std::size_t fragment) const { return cones_[fragment]; }
   std::vector<Point3> corners_on_face(std::size_t fragment) const;
 
-  // The vector from the eye to a point, times a positive rational: coprime integers; zero for the eye.
+  // The vector from the eye to a point, times a positive rational: coprime integers; zero for the eye. Of a sun it
+  // stands for the ray through the point.
   IntegerVector toward(const Point3& point) const;
 
-  // The cone of a convex patch that lies on a polygon in whose plane the eye is not.
+  // The cone of a convex patch that lies on a polygon in whose plane the eye is not, nor the rays of the sun.
   ExactCone3 cone_of(const Patch3& patch) const;
 
   // Where a point lies of the plane of a polygon that is seen: +1 on the side of the eye, -1 beyond, 0 on it.
   int nearness(const Point3& point, std::uint32_t polygon) const;
 
  private:
+  explicit ExactMap3(const Blockers3& blockers) : blockers_(blockers) {}
+  template <class NormalOf>
+  void make_cones(NormalOf normal_of);
+
   const Blockers3& blockers_;
+  std::shared_ptr<const SunFrame3> sun_;
   Point3 eye_;
   IntegerVector numerator_;  // the eye in integer form = numerator / denominator
-  Integer denominator_;
+  Integer denominator_ = 1;
   PointMap3 map_;
   std::vector<ExactCone3> cones_;
 };

@@ -5,6 +5,8 @@
 namespace hottel {
 namespace {
 
+BoundedVector nearest(const IntegerVector& a) { return rounded(a, std::max(0L, bits(a) - 53)); }
+
 void negate(BoundedVector& a) {
   a.x = -a.x;
   a.y = -a.y;
@@ -13,15 +15,16 @@ void negate(BoundedVector& a) {
 
 }  // namespace
 
-EyePlanes3::EyePlanes3(const Blockers3& blockers, const Point3& eye, bool always_exact)
-    : blockers_(blockers), eye_(blockers.vertices(), eye), always_exact_(always_exact) {
+EyePlanes3::EyePlanes3(const Blockers3& blockers, Eye3 eye, bool always_exact)
+    : blockers_(blockers), eye_(std::move(eye)), always_exact_(always_exact) {
   const std::size_t count = blockers.edge_count();
   normals_.reserve(count);
   definitions_.reserve(count);
   exact_normals_.resize(count);
   for (std::size_t e = 0; e < count; ++e) {
     const Blockers3::Edge& edge = blockers.edge(EdgeId3(e));
-    normals_.push_back(cross(eye_.toward(edge.from), edge.vector));
+    // Of a sun two directions that are close do not tell their plane in doubles: to integers they do.
+    normals_.push_back(eye_.sun() ? nearest(exact_normal(PlaneId3(e))) : cross(eye_.toward(edge.from), edge.vector));
     definitions_.push_back({PlaneDefinition3::Kind::kEdge, static_cast<std::uint32_t>(edge.from.number()),
                             static_cast<std::uint32_t>(edge.to.number())});
   }
@@ -31,6 +34,11 @@ EyePlanes3::EyePlanes3(const Blockers3& blockers, const Point3& eye, bool always
 void EyePlanes3::find_facing() {
   facing_.resize(blockers_.size());
   for (std::size_t s = 0; s < blockers_.size(); ++s) {
+    if (const SunFrame3* const sun = eye_.sun()) {
+      counts_.count(SignTier::kExact);
+      facing_[s] = static_cast<signed char>(sun->facing(blockers_.exact_normal(s)));
+      continue;
+    }
     const VertexId3 anchor = blockers_.outline(s).front();
     int sign = filtered_sign(blockers_.normal(s), eye_.toward(anchor));
     counts_.count(sign == kUndecided ? SignTier::kExact : SignTier::kFilter);
@@ -41,7 +49,7 @@ void EyePlanes3::find_facing() {
 
 PlaneSide3 EyePlanes3::add(const PlaneDefinition3& definition, IntegerVector normal) {
   const PlaneId3 plane(normals_.size());
-  normals_.push_back(rounded(normal, std::max(0L, bits(normal) - 53)));
+  normals_.push_back(nearest(normal));
   exact_normals_.push_back(std::make_unique<IntegerVector>(std::move(normal)));
   definitions_.push_back(definition);
   return {plane, false};
@@ -50,13 +58,16 @@ PlaneSide3 EyePlanes3::add(const PlaneDefinition3& definition, IntegerVector nor
 // With N turned so that the eye is in front and P = N . (x - v) > 0 the plane of s is met at -P / (N . w); it is met
 // before that of t where P_s (N_t . w) - P_t (N_s . w) > 0, for both N . w are negative.
 PlaneSide3 EyePlanes3::add_crossing(std::size_t s, std::size_t t) {
+  const PlaneDefinition3 definition{PlaneDefinition3::Kind::kCrossing, static_cast<std::uint32_t>(s),
+                                    static_cast<std::uint32_t>(t)};
+  if (const SunFrame3* const sun = eye_.sun())
+    return add(definition, sun->crossing(plane_of(blockers_, s), plane_of(blockers_, t)));
   const auto height = [this](std::size_t k) -> Integer {
     return -facing_[k] * dot(blockers_.exact_normal(k), eye_.exact_toward(blockers_.outline(k).front()));
   };
   const Integer of_s = height(s) * static_cast<int>(facing_[t]), of_t = height(t) * static_cast<int>(facing_[s]);
   const IntegerVector &a = blockers_.exact_normal(s), &b = blockers_.exact_normal(t);
-  return add({PlaneDefinition3::Kind::kCrossing, static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(t)},
-             primitive({of_s * b.x - of_t * a.x, of_s * b.y - of_t * a.y, of_s * b.z - of_t * a.z}));
+  return add(definition, primitive({of_s * b.x - of_t * a.x, of_s * b.y - of_t * a.y, of_s * b.z - of_t * a.z}));
 }
 
 PlaneSide3 EyePlanes3::add_horizon(const IntegerVector& normal) {
@@ -134,8 +145,9 @@ const IntegerVector& EyePlanes3::exact_normal(PlaneId3 plane) {
   std::unique_ptr<IntegerVector>& kept = exact_normals_[plane.index()];
   if (!kept) {
     const EdgeId3 edge(plane.number());
+    const Blockers3::Edge& ends = blockers_.edge(edge);
     kept = std::make_unique<IntegerVector>(
-        cross(eye_.exact_toward(blockers_.edge(edge).from), blockers_.exact_vector(edge)));
+        cross(eye_.exact_toward(ends.from), eye_.sun() ? eye_.exact_toward(ends.to) : blockers_.exact_vector(edge)));
   }
   return *kept;
 }

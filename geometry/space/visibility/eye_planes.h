@@ -21,6 +21,11 @@ struct ConeCorner3 {
   PlaneSide3 first, second;  // where there is no vertex
 };
 
+// The plane of a polygon, as a sun asks for it.
+inline SunFrame3::Plane plane_of(const Blockers3& blockers, std::size_t s) {
+  return {blockers.exact_normal(s), blockers.vertices().exact(blockers.outline(s).front())};
+}
+
 // Signs of directions beside planes through an eye, and of polygons beside it.
 //
 //   (1) every sign is exact
@@ -31,7 +36,10 @@ struct ConeCorner3 {
 class EyePlanes3 {
  public:
   // The eye is given in scene coordinates. REQUIRES that the blockers outlive this.
-  EyePlanes3(const Blockers3& blockers, const Point3& eye, bool always_exact);
+  EyePlanes3(const Blockers3& blockers, const Point3& eye, bool always_exact)
+      : EyePlanes3(blockers, Eye3(blockers.vertices(), eye), always_exact) {}
+  // An eye or a sun of the vertices of the blockers.
+  EyePlanes3(const Blockers3& blockers, Eye3 eye, bool always_exact);
 
   const Blockers3& blockers() const { return blockers_; }
   Eye3& eye() { return eye_; }

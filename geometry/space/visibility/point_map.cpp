@@ -30,20 +30,24 @@ BoundedVector rounded_well(const IntegerVector& a) { return rounded(a, bits(a) -
 class MapMaker {
  public:
   MapMaker(const Blockers3& blockers, const Look3& look)
-      : planes_(blockers, look.eye, look.always_exact),
-        cutter_(planes_),
-        cones_(planes_),
-        shells_(planes_, cones_),
-        tree_(planes_, shells_),
-        eye_{to_double(look.eye.x), to_double(look.eye.y), to_double(look.eye.z)} {
-    hidings_.resize(shells_.size());
-    hidden_counts_.resize(shells_.size());
+      : MapMaker(blockers, Eye3(blockers.vertices(), look.eye), look.always_exact) {
+    eye_ = {to_double(look.eye.x), to_double(look.eye.y), to_double(look.eye.z)};
     if (!look.normal) return;
     const auto [x, y, z] = coprime_integers<3>({look.normal->x, look.normal->y, look.normal->z});
     const IntegerVector normal{x, y, z};
     HOTTEL_REQUIRE(!is_zero(normal));
     horizon_ = planes_.add_horizon(normal);
     normal_ = unit(rounded_well(normal));
+  }
+
+  MapMaker(const Blockers3& blockers, Eye3 eye, bool always_exact)
+      : planes_(blockers, std::move(eye), always_exact),
+        cutter_(planes_),
+        cones_(planes_),
+        shells_(planes_, cones_),
+        tree_(planes_, shells_) {
+    hidings_.resize(shells_.size());
+    hidden_counts_.resize(shells_.size());
   }
 
   PointMap3 make() {
@@ -293,8 +297,9 @@ class MapMaker {
     return unit(rounded_well(planes_.exact_direction(corner)));
   }
 
-  // The vector from the eye to where a corner meets the plane of a polygon.
+  // The vector from the eye to where a corner meets the plane of a polygon; of a sun, zero.
   Direction3 way_to(std::uint32_t target, const ConeCorner3& corner) {
+    if (planes_.eye().sun()) return {};
     const Blockers3& blockers = planes_.blockers();
     const VertexId3 anchor = blockers.outline(target).front();
     const BoundedVector& normal = blockers.normal(target);
@@ -324,6 +329,7 @@ class MapMaker {
     }
     PointMap3::Fragment& added = map_.fragments.emplace_back(PointMap3::Fragment{
         {target, planes_.facing(target) < 0}, begin, static_cast<std::uint32_t>(map_.corners.size()), 0, 0});
+    if (planes_.eye().sun()) return;
     if (!has_opposite_corners_3(directions_)) {
       added.fraction = solid_angle_fraction_3(directions_);
       if (horizon_) added.factor = view_factor_3(directions_, normal_);
@@ -380,6 +386,7 @@ class MapMaker {
       fraction -= share.fraction;
       factor -= share.factor;
     }
+    if (planes_.eye().sun()) return;
     map_.sky_fraction = fraction;
     map_.sky_factor = factor;
   }
@@ -412,6 +419,11 @@ class MapMaker {
 PointMap3 map_from(const Blockers3& blockers, const Look3& look) {
   const DefaultFloatingPoint environment;
   return MapMaker(blockers, look).make();
+}
+
+PointMap3 map_of_sun(const Blockers3& blockers, const Vector3& direction) {
+  const DefaultFloatingPoint environment;
+  return MapMaker(blockers, Eye3::of_sun(blockers.vertices(), direction), false).make();
 }
 
 }  // namespace hottel

@@ -80,4 +80,14 @@ struct PointMap3 {
 // For several threads at once.
 PointMap3 map_from(const Blockers3& blockers, const Look3& look);
 
+// Returns the map of what a sun sees, by the direction of its rays.
+//
+//   (1) as map_from(), with the directions of SunFrame3 in place of those from the eye: the corners of fragments are
+//       such directions, and a polygon along whose plane the rays run hides nothing and is not seen
+//   (2) there are no angles, and where faces are met is left to ExactMap3::corners_on_face(): fractions, factors and
+//       the places of corners are 0
+//
+// Throws ContractViolation where the direction is zero. COST: that of map_from().
+PointMap3 map_of_sun(const Blockers3& blockers, const Vector3& direction);
+
 }  // namespace hottel

@@ -32,8 +32,9 @@ void set_turn(SightCone3& cone, const Direction3& axis, double least) {
   cone.sine = std::sqrt(1 - least * least);
 }
 
-// The distance of the plane of a polygon, or less.
+// The distance of the plane of a polygon, or less; of a sun none is known.
 double plane_distance(const EyePlanes3& planes, std::size_t s) {
+  if (planes.eye().sun()) return 0;
   const BoundedVector& normal = planes.blockers().normal(s);
   const BoundedVector& toward = planes.eye().toward(planes.blockers().outline(s).front());
   const double product = normal.x * toward.x + normal.y * toward.y + normal.z * toward.z;

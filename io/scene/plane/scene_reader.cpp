@@ -104,8 +104,9 @@ class PlaneReader {
       for (const JsonValue item : entry.path_points.items())
         place.path->points.push_back(read_point(item, {entry.owner, "point of the path"}));
     }
-    place.position =
-        entry.position ? read_point(entry.position, {entry.owner, "position"}) : place.path->points.front();
+    if (!entry.light.is_sun())
+      place.position =
+          entry.position ? read_point(entry.position, {entry.owner, "position"}) : place.path->points.front();
     if (entry.direction) place.direction = read_point(entry.direction, {entry.owner, "direction"});
     if (entry.rotation) place.rotation = read_number(entry.rotation, {entry.owner, "rotation"});
     scene_.add_light(entry.light, std::move(place));

@@ -220,8 +220,9 @@ class SpaceReader3 {
       for (const JsonValue item : entry.path_points.items())
         place.path->points.push_back(read_point(item, {entry.owner, "point of the path"}));
     }
-    place.position =
-        entry.position ? read_point(entry.position, {entry.owner, "position"}) : place.path->points.front();
+    if (!entry.light.is_sun())
+      place.position =
+          entry.position ? read_point(entry.position, {entry.owner, "position"}) : place.path->points.front();
     if (entry.direction) place.direction = read_point(entry.direction, {entry.owner, "direction"}) - Point3{};
     if (entry.rotation) place.rotation = read_point(entry.rotation, {entry.owner, "rotation"}) - Point3{};
     scene_.add_light(entry.light, std::move(place));

@@ -9,6 +9,7 @@
 #include "geometry/name.h"
 #include "geometry/plane/check/wording.h"
 #include "kernel/support/failure.h"
+#include "solver/check/dark_suns.h"
 #include "solver/check/light_errors.h"
 #include "solver/check/light_fates.h"
 
@@ -48,6 +49,10 @@ class LightTeller {
                              scene_.light_places[k].position,
                              lost_light_text(scene_.lights[k], lights_[k]),
                              "move it out, or turn the points of that solid around where a room was meant"});
+    for (std::size_t k = 0; k < lights_.size(); ++k)
+      if (scene_.light_places[k].rotation == 0)  // else it may come
+        if (std::string text = dark_sun_text(scene_.lights[k], lights_[k], matrix_); !text.empty())
+          add(Severity::kNote, "dark-sun", {}, std::move(text), kDarkSunSuggestion);
     tell_materials();
     return std::move(findings_);
   }

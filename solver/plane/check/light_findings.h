@@ -13,8 +13,8 @@ namespace hottel {
 // Iterations from which convergence is called slow: what jacobi needs for a relative residual of 1e-12.
 inline constexpr double kManyIterations = 1000;
 
-// Kinds: no-solution, beyond-doubles (errors), light-in-solid (a warning), all-reflecting, dark, slow-convergence,
-// no-light, unused-material.
+// Kinds: no-solution, beyond-doubles (errors), light-in-solid (a warning), dark-sun, all-reflecting, dark,
+// slow-convergence, no-light, unused-material.
 //
 //   (1) errors are those of light_errors (solver/check)
 //   (2) the iterations of slow-convergence are what a bound from below of the spectral radius asks for

@@ -1,8 +1,11 @@
 #include "solver/plane/light/light_shares.h"
 
 #include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/scene/moving_lights.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "geometry/plane/visibility/solid_around.h"
+#include "geometry/plane/visibility/sun_view.h"
+#include "kernel/ball.h"
 #include "kernel/support/naming_file.h"
 #include "solver/plane/light/beam.h"
 
@@ -42,6 +45,30 @@ LightShares shares_of(const PreparedScene2& prepared, const ElementTable2& table
   return shares;
 }
 
+LightShares shares_of_sun(const PreparedScene2& prepared, const ElementTable2& table, const LightPlace2& place) {
+  constexpr long kPrecision = 256;
+  const SunView2 view(prepared.arrangement, sun_direction(place));
+  std::vector<Rational> width(std::size_t{table.count()} + 1);
+  for (const SunView2::Strip& strip : view.strips()) width[table.of(strip.side)] += view.width(strip);
+  const Point2& d = view.direction();
+  const Ball length = Ball::root(Rational(d.x * d.x + d.y * d.y).get_num(), kPrecision);
+  const auto across = [&](const Rational& wide) {
+    return Ball::of(Rational(wide * prepared.arrangement.vertices().scale()), kPrecision)
+        .over(length, kPrecision)
+        .bounds();
+  };
+  LightShares shares;
+  shares.of_element.resize(table.count(), Enclosure{0, 0});
+  Rational whole = 0;
+  for (std::uint32_t label = 0; label < table.count(); ++label) {
+    if (width[label] == 0) continue;
+    shares.of_element[label] = across(width[label]);
+    whole += width[label];
+  }
+  shares.whole = whole == 0 ? Enclosure{0, 0} : across(whole);
+  return shares;
+}
+
 }  // namespace
 
 std::vector<LightShares> light_shares(const PreparedScene2& prepared, Granularity granularity) {
@@ -51,8 +78,10 @@ std::vector<LightShares> light_shares(const PreparedScene2& prepared, Granularit
   const ElementTable2 table(scene, prepared.arrangement, prepared.division, granularity);
   const PointLocation2 location(prepared.arrangement.vertices(), prepared.arrangement.triangulation());
   for (std::size_t k = 0; k < scene.lights.size(); ++k)
-    result.push_back(naming_file(
-        scene.file, [&] { return shares_of(prepared, table, location, scene.lights[k], scene.light_places[k]); }));
+    result.push_back(naming_file(scene.file, [&] {
+      return scene.lights[k].is_sun() ? shares_of_sun(prepared, table, scene.light_places[k])
+                                      : shares_of(prepared, table, location, scene.lights[k], scene.light_places[k]);
+    }));
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "geometry/plane/predicates/eye_line.h"
+#include "geometry/plane/scene/moving_lights.h"
 #include "geometry/plane/visibility/solid_around.h"
 
 namespace hottel {
@@ -89,27 +90,38 @@ LitRegions2::LitRegions2(const PreparedScene2& prepared) {
   if (scene.lights.empty()) return;
   const PointLocation2 location(prepared.arrangement.vertices(), prepared.arrangement.triangulation());
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-    regions_.push_back(std::make_unique<LitRegion2>(prepared, location, scene.lights[k], scene.light_places[k]));
-    std::array<double, 3> power;
+    Power power;
     for (std::size_t c = 0; c < 3; ++c) power[c] = to_double(scene.lights[k].power.value[c]);
+    if (scene.lights[k].is_sun()) {
+      suns_.push_back({SunView2(prepared.arrangement, sun_direction(scene.light_places[k])), power});
+      continue;
+    }
+    regions_.push_back(std::make_unique<LitRegion2>(prepared, location, scene.lights[k], scene.light_places[k]));
     power_.push_back(power);
   }
 }
 
-void LitRegions2::add(std::size_t light, double share, std::span<double> result) const {
+void LitRegions2::add(const Power& power, double share, std::span<double> result) {
   if (share == 0) return;
   for (std::size_t c = 0; c < result.size(); ++c)
-    if (power_[light][c] > 0) result[c] += share * power_[light][c];
+    if (power[c] > 0) result[c] += share * power[c];
+}
+
+void LitRegions2::add_suns(const Eye2& point, std::span<double> result) const {
+  for (const Sun& sun : suns_)
+    if (sun.view.reaches(point)) add(sun.irradiance, std::numbers::inv_pi, result);
 }
 
 void LitRegions2::add(const Eye2& point, std::span<double> result) const {
-  for (std::size_t k = 0; k < regions_.size(); ++k) add(k, regions_[k]->irradiance(point), result);
+  for (std::size_t k = 0; k < regions_.size(); ++k) add(power_[k], regions_[k]->irradiance(point), result);
+  add_suns(point, result);
 }
 
 void LitRegions2::add(const Eye2& point, std::span<const double> ways_x, std::span<const double> ways_y,
                       std::span<double> result) const {
   for (std::size_t k = 0; k < regions_.size(); ++k)
-    add(k, regions_[k]->irradiance(point, ways_x[k], ways_y[k]), result);
+    add(power_[k], regions_[k]->irradiance(point, ways_x[k], ways_y[k]), result);
+  add_suns(point, result);
 }
 
 }  // namespace hottel

@@ -9,6 +9,7 @@
 #include "geometry/light.h"
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/visibility/point_location.h"
+#include "geometry/plane/visibility/sun_view.h"
 #include "geometry/plane/visibility/view.h"
 #include "solver/plane/light/beam.h"
 
@@ -52,25 +53,34 @@ class LitRegion2 {
   bool is_in_solid_ = false;
 };
 
-// All lights of a scene.
+// All lights of a scene: lamps, which have a place, and suns. Where a ray of a sun reaches a point (SunView2), what it
+// adds there is its irradiance over pi.
 class LitRegions2 {
  public:
   explicit LitRegions2(const PreparedScene2& prepared);
 
-  bool is_empty() const { return regions_.empty(); }
+  bool is_empty() const { return regions_.empty() && suns_.empty(); }
+  // Of lamps.
   std::size_t count() const { return regions_.size(); }
-  const Eye2& eye(std::size_t light) const { return regions_[light]->eye(); }
+  const Eye2& eye(std::size_t lamp) const { return regions_[lamp]->eye(); }
   // Adds the direct mean irradiance at a point to `result`, one place a channel; NaN stays.
   void add(const Eye2& point, std::span<double> result) const;
-  // The same where the ways from the lights to the point are known, as LitRegion2::irradiance takes them; one a light.
+  // The same where the ways from the lamps to the point are known, as LitRegion2::irradiance takes them; one a lamp.
   void add(const Eye2& point, std::span<const double> ways_x, std::span<const double> ways_y,
            std::span<double> result) const;
 
  private:
-  void add(std::size_t light, double share, std::span<double> result) const;
+  using Power = std::array<double, 3>;
+  struct Sun {
+    SunView2 view;
+    Power irradiance;
+  };
+  static void add(const Power& power, double share, std::span<double> result);
+  void add_suns(const Eye2& point, std::span<double> result) const;
 
   std::vector<std::unique_ptr<LitRegion2>> regions_;
-  std::vector<std::array<double, 3>> power_;
+  std::vector<Power> power_;  // of regions
+  std::vector<Sun> suns_;
 };
 
 }  // namespace hottel

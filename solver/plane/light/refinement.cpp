@@ -1,12 +1,15 @@
 #include "solver/plane/light/refinement.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "geometry/face.h"
 #include "geometry/plane/scene/division.h"
+#include "geometry/plane/scene/moving_lights.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "geometry/plane/visibility/solid_around.h"
+#include "geometry/plane/visibility/sun_view.h"
 #include "kernel/support/parallel.h"
 #include "solver/plane/light/beam.h"
 
@@ -43,25 +46,11 @@ class LitEdges2 {
  public:
   LitEdges2(const PreparedScene2& prepared, const PointLocation2& location, const Light& light,
             const LightPlace2& place)
-      : prepared_(prepared), beam_(light, place), eye_(place.position), windows_(2 * prepared.scene.surfaces.size()) {
-    const Vertices2& vertices = prepared.arrangement.vertices();
-    const Eye2 eye(vertices, vertices.from_scene(place.position));
-    View2 view;
-    location.look_around(eye, view);
-    if (solid_around(prepared.arrangement, view) != Solids2::kNone) return;
-    for (std::size_t k = 0; k < view.seen.size(); ++k) {
-      const PieceSideId side = view.seen[k].behind;
-      if (side == kSky) continue;
-      const Face face = prepared.arrangement.owner(side);
-      const auto toward = [&](const View2::Seen& seen) {
-        return minus(vertices.to_scene(vertices.exact(seen.vertex)), eye_);
-      };
-      const Point2 from = toward(view.seen[k]), to = toward(view.seen[k + 1 == view.seen.size() ? 0 : k + 1]);
-      Window window{.span = {along(face, from), along(face, to)}, .meets = beam_.meets(from, to)};
-      window.is_reversed = window.span.to < window.span.from;
-      if (window.is_reversed) std::swap(window.span.from, window.span.to);
-      windows_[face.number()].push_back(std::move(window));
-    }
+      : prepared_(prepared), eye_(place.position), windows_(2 * prepared.scene.surfaces.size()) {
+    if (light.is_sun())
+      look_from_sun(place);
+    else
+      look_from_lamp(location, light, place);
     for (auto& of_face : windows_)
       std::ranges::sort(of_face, [](const Window& a, const Window& b) { return a.span.from < b.span.from; });
   }
@@ -88,6 +77,44 @@ class LitEdges2 {
     bool is_reversed = false;  // counter-clockwise is against the edge
   };
 
+  void look_from_sun(const LightPlace2& place) {
+    const Vertices2& vertices = prepared_.arrangement.vertices();
+    const SunView2 view(prepared_.arrangement, sun_direction(place));
+    for (const SunView2::Strip& strip : view.strips()) {
+      const Face face = prepared_.arrangement.owner(strip.side);
+      const Edge2& edge = prepared_.scene.edges[face.surface];
+      const Rational begin = view.across(vertices.from_scene(edge.from)),
+                     all = view.across(vertices.from_scene(edge.to)) - begin;
+      Window window{.span = {(view.across(strip.from) - begin) / all, (view.across(strip.to) - begin) / all},
+                    .meets = Beam2::Meets::kAll};
+      if (window.span.to < window.span.from) std::swap(window.span.from, window.span.to);
+      windows_[face.number()].push_back(std::move(window));
+    }
+  }
+
+  void look_from_lamp(const PointLocation2& location, const Light& light, const LightPlace2& place) {
+    const PreparedScene2& prepared = prepared_;
+    beam_.emplace(light, place);
+    const Vertices2& vertices = prepared.arrangement.vertices();
+    const Eye2 eye(vertices, vertices.from_scene(place.position));
+    View2 view;
+    location.look_around(eye, view);
+    if (solid_around(prepared.arrangement, view) != Solids2::kNone) return;
+    for (std::size_t k = 0; k < view.seen.size(); ++k) {
+      const PieceSideId side = view.seen[k].behind;
+      if (side == kSky) continue;
+      const Face face = prepared.arrangement.owner(side);
+      const auto toward = [&](const View2::Seen& seen) {
+        return minus(vertices.to_scene(vertices.exact(seen.vertex)), eye_);
+      };
+      const Point2 from = toward(view.seen[k]), to = toward(view.seen[k + 1 == view.seen.size() ? 0 : k + 1]);
+      Window window{.span = {along(face, from), along(face, to)}, .meets = beam_->meets(from, to)};
+      window.is_reversed = window.span.to < window.span.from;
+      if (window.is_reversed) std::swap(window.span.from, window.span.to);
+      windows_[face.number()].push_back(std::move(window));
+    }
+  }
+
   // Where the ray in a direction meets the line of a face.
   Rational along(const Face& face, const Point2& direction) const {
     const Edge2& edge = prepared_.scene.edges[face.surface];
@@ -100,13 +127,13 @@ class LitEdges2 {
       const Edge2& edge = prepared_.scene.edges[face.surface];
       Point2 from = minus(point_at(edge, span.from), eye_), to = minus(point_at(edge, span.to), eye_);
       if (window.is_reversed) std::swap(from, to);
-      meets = beam_.meets(from, to);
+      meets = beam_->meets(from, to);
     }
     return meets == Beam2::Meets::kAll ? Reach::kAll : meets == Beam2::Meets::kPart ? Reach::kPart : Reach::kNothing;
   }
 
   const PreparedScene2& prepared_;
-  Beam2 beam_;
+  std::optional<Beam2> beam_;  // of a lamp
   Point2 eye_;
   std::vector<std::vector<Window>> windows_;  // by face number, ascending
 };

@@ -4,6 +4,7 @@
 
 #include "geometry/name.h"
 #include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/scene/moving_lights.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/naming_file.h"
@@ -49,6 +50,36 @@ class Tester {
   LightTest test_;
 };
 
+// A sun that tests points.
+class SunTester {
+ public:
+  SunTester(const PreparedScene2& prepared, const LightPlace2& place, LightTest test)
+      : vertices_(prepared.arrangement.vertices()),
+        view_(prepared.arrangement, sun_direction(place)),
+        scale_over_length_(to_double(vertices_.scale()) /
+                           std::hypot(to_double(view_.direction().x), to_double(view_.direction().y))),
+        test_(test) {}
+
+  // Of a run whose front is on the right: what it is across the rays, which come from there.
+  double share(const Segment2& run) const {
+    const Rational across = view_.across(run.a) - view_.across(run.b);
+    if (across <= 0) return 0;
+    const Point2 a = vertices_.exact(run.a), b = vertices_.exact(run.b);
+    const double part =
+        test_ == LightTest::kCentroid ? passes({(a.x + b.x) / 2, (a.y + b.y) / 2}) : (passes(a) + passes(b)) / 2.0;
+    return part * to_double(across) * scale_over_length_;
+  }
+
+ private:
+  int passes(const Point2& point) const { return view_.reaches(Eye2(vertices_, point)) ? 1 : 0; }
+
+  const Vertices2& vertices_;
+  SunView2 view_;
+  double scale_over_length_;
+  LightTest test_;
+};
+
+template <class Tester>
 void test_elements(const ElementTable2& table, const Tester& tester, const Light& light, LightShares& shares) {
   for (std::uint32_t label = 0; label < table.count(); ++label) {
     double sum = 0;
@@ -71,8 +102,12 @@ std::vector<LightShares> light_shares(const PreparedScene2& prepared, Granularit
   for (std::size_t k = 0; k < result.size(); ++k) {
     result[k].test = test;
     naming_file(scene.file, [&] {
-      const Tester tester(prepared, location, scene.lights[k], scene.light_places[k], test);
-      test_elements(table, tester, scene.lights[k], result[k]);
+      const Light& light = scene.lights[k];
+      const LightPlace2& place = scene.light_places[k];
+      if (light.is_sun())
+        test_elements(table, SunTester(prepared, place, test), light, result[k]);
+      else
+        test_elements(table, Tester(prepared, location, light, place, test), light, result[k]);
     });
   }
   return result;

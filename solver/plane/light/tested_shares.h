@@ -19,6 +19,7 @@ namespace hottel {
 //   (4) the sky has no centroid: its share is exact. So what the shares lack of 1, or have too much, is what the tests
 //       of the elements are off
 //   (5) a light in a solid gives nothing to anybody
+//   (6) of a sun an element that passes gets its length times the cosine; LightShares::whole stays exact
 //
 // REQUIRES a scene that validate() takes: no light lies on an edge. Throws RequestError, naming file, light and
 // element, where a share is beyond the range of doubles.

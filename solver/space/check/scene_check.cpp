@@ -18,6 +18,7 @@
 #include "geometry/space/exchange/prepared_scene.h"
 #include "geometry/unmeasured_pairs.h"
 #include "kernel/support/failure.h"
+#include "solver/check/dark_suns.h"
 #include "solver/check/kelvin_hint.h"
 #include "solver/check/light_errors.h"
 #include "solver/check/light_fates.h"
@@ -121,6 +122,14 @@ void tell_lights_in_solids(const Scene3& scene, std::span<const LightShares> lig
                           "move it out, or turn that mesh around where a room was meant"});
 }
 
+void tell_dark_suns(const Scene3& scene, const ExchangeMatrix& matrix, std::span<const LightShares> lights,
+                    Findings3& findings) {
+  for (std::size_t k = 0; k < lights.size(); ++k)
+    if (scene.light_places[k].rotation.is_zero())  // else it may come
+      if (const std::string text = dark_sun_text(scene.lights[k], lights[k], matrix); !text.empty())
+        add_unplaced(findings, Severity::kNote, "dark-sun", text, kDarkSunSuggestion);
+}
+
 void check_light(const PreparedScene3& prepared, Meshes3 meshes, const CheckSources3& sources, SceneCheck3& check) {
   const std::size_t count = faces_with_material(prepared.scene);
   const bool is_whole = count <= kMostFacesChecked3;
@@ -139,6 +148,7 @@ void check_light(const PreparedScene3& prepared, Meshes3 meshes, const CheckSour
   append(check.findings, sight_findings(prepared.scene, meshes, *matrix, is_whole));
   const std::vector<LightShares> lights = sources.lights ? sources.lights() : std::vector<LightShares>();
   tell_lights_in_solids(prepared.scene, lights, check.findings);
+  if (is_whole) tell_dark_suns(prepared.scene, *matrix, lights, check.findings);
   tell_light_errors(prepared.scene, *matrix, lights, is_whole, check.findings);
   if (!is_whole)
     tell_unchecked(

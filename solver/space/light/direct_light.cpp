@@ -35,6 +35,13 @@ DirectLight3::DirectLight3(const PreparedScene3& prepared, const Point3& positio
       beam_(beam),
       is_in_solid_(prepared.arrangement().solids().around(position).has_value()) {}
 
+DirectLight3::DirectLight3(const PreparedScene3& prepared, const Vector3& sun)
+    : prepared_(prepared),
+      map_(ExactMap3::of_sun(prepared.blockers(), sun)),
+      finder_(map_),
+      beam_(Beam3{}),
+      sun_(sun) {}
+
 double DirectLight3::intensity_to(const Point3& point) const {
   if (is_in_solid_) return 0;
   if (point == map_.eye()) return std::numeric_limits<double>::infinity();
@@ -43,12 +50,17 @@ double DirectLight3::intensity_to(const Point3& point) const {
 }
 
 double DirectLight3::mean_irradiance(const Point3& point) const {
+  if (sun_) return finder_.sees(point) ? 0.25 : 0;
   const double intensity = intensity_to(point);
   if (!(intensity > 0) || std::isinf(intensity)) return intensity;
   return intensity / 4 * inverse_square(scaled(point - map_.eye()));
 }
 
 double DirectLight3::irradiance(const Point3& point, const Vector3& normal) const {
+  if (sun_) {
+    if (dot(normal, *sun_) >= 0 || !finder_.sees(point)) return 0;
+    return -dot(unit(scaled(*sun_).way), unit(scaled(normal).way));
+  }
   const Vector3 way = map_.eye() - point;
   if (!way.is_zero() && dot(normal, way) <= 0) return 0;
   const double intensity = intensity_to(point);
@@ -61,7 +73,7 @@ std::vector<LitPart3> DirectLight3::lit_parts() const {
   std::vector<LitPart3> result;
   if (is_in_solid_) return result;
   for (std::size_t k = 0; k < map_.size(); ++k) {
-    const BeamPower3::Meets meets = beam_.meets(map_.cone(k));
+    const BeamPower3::Meets meets = sun_ ? BeamPower3::Meets::kAll : beam_.meets(map_.cone(k));
     if (meets == BeamPower3::Meets::kNothing) continue;
     const Face side = map_.map().fragments[k].face;
     result.push_back({side, prepared_.arrangement().owner(side.surface, side.is_back), map_.corners_on_face(k),

@@ -1,8 +1,9 @@
-// The light of a point light or a spot light where it arrives first, before it is reflected.
+// The light of a point light, a spot light or a sun where it arrives first, before it is reflected.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "geometry/face.h"
@@ -36,12 +37,17 @@ struct LitPart3 {
 //   (3) lit_parts() are the parts of faces with a free way from the light that the beam meets: they share no area, and
 //       the irradiance is smooth on each but for the border of the beam. Borders of shadows are their edges
 //   (4) a light in a solid lights nothing. At the light itself the values are infinite
+//   (5) of a sun values are for the irradiance 1 of what faces it: mean_irradiance(x) is 1/4 where the ray to x is
+//   free,
+//       irradiance(x, m) the cosine there, and all lit parts are within the beam
 //
 // For several threads at once. REQUIRES that the scene outlives this, and a beam without a problem.
 // COST: that of an exact map, and of a finder of points in it; then some microseconds a point.
 class DirectLight3 {
  public:
   DirectLight3(const PreparedScene3& prepared, const Point3& position, const Beam3& beam);
+  // A sun, by the direction of its rays, which is not zero.
+  DirectLight3(const PreparedScene3& prepared, const Vector3& sun);
 
   const ExactMap3& map() const { return map_; }
   const BeamPower3& beam() const { return beam_; }
@@ -58,7 +64,8 @@ class DirectLight3 {
   ExactMap3 map_;
   SightFinder3 finder_;
   BeamPower3 beam_;
-  bool is_in_solid_;
+  std::optional<Vector3> sun_;
+  bool is_in_solid_ = false;
 };
 
 }  // namespace hottel

@@ -39,6 +39,30 @@ class SideParts {
 
 using Shares = std::vector<std::pair<std::uint32_t, Ball>>;  // by label
 
+// What of each fragment of a map goes to which element, by a measure of cones. Of sides that no element has: the sky.
+template <class Measure>
+std::vector<Shares> shares_of_fragments(const PreparedScene3& prepared, const ElementTable3& table,
+                                        const ExactMap3& map, const Measure& measure) {
+  const SideParts sides(table, prepared.blockers().size());
+  const std::vector<PointMap3::Fragment>& fragments = map.map().fragments;
+  std::vector<Shares> shares(fragments.size());
+  parallel_for(
+      fragments.size(),
+      [&](std::size_t f) {
+        const auto& parts = sides[fragments[f].face];
+        const auto is_other = [&parts](const ElementTable3::Part* part) { return part->label != parts[0]->label; };
+        if (std::none_of(parts.begin(), parts.end(), is_other)) {
+          shares[f].emplace_back(parts.empty() ? table.sky() : parts[0]->label, measure(map.cone(f)));
+          return;
+        }
+        for (const ElementTable3::Part* part : parts)
+          if (const std::optional<ExactCone3> common = common_cone(map.cone(f), map.cone_of(part->patch)))
+            shares[f].emplace_back(part->label, measure(*common));
+      },
+      1);
+  return shares;
+}
+
 }  // namespace
 
 LightShares3 light_shares(const PreparedScene3& prepared, const ElementTable3& table, const Point3& position,
@@ -55,23 +79,8 @@ LightShares3 light_shares(const PreparedScene3& prepared, const ElementTable3& t
     result.is_in_solid = true;
     return result;
   }
-  const SideParts sides(table, prepared.blockers().size());
-  const std::vector<PointMap3::Fragment>& fragments = map.map().fragments;
-  std::vector<Shares> shares(fragments.size());
-  parallel_for(
-      fragments.size(),
-      [&](std::size_t f) {
-        const auto& parts = sides[fragments[f].face];
-        const auto is_other = [&parts](const ElementTable3::Part* part) { return part->label != parts[0]->label; };
-        if (std::none_of(parts.begin(), parts.end(), is_other)) {
-          shares[f].emplace_back(parts.empty() ? table.sky() : parts[0]->label, beam.share(map.cone(f)));
-          return;
-        }
-        for (const ElementTable3::Part* part : parts)
-          if (const std::optional<ExactCone3> common = common_cone(map.cone(f), map.cone_of(part->patch)))
-            shares[f].emplace_back(part->label, beam.share(*common));
-      },
-      1);
+  const std::vector<Shares> shares =
+      shares_of_fragments(prepared, table, map, [&beam](const ExactCone3& cone) { return beam.share(cone); });
   std::vector<Ball> sums(std::size_t{table.count()} + 1);
   Ball rest = Ball::of(1, kPrecision);
   for (const Shares& of_fragment : shares)
@@ -82,6 +91,26 @@ LightShares3 light_shares(const PreparedScene3& prepared, const ElementTable3& t
   for (std::uint32_t label = 0; label < table.count(); ++label) result.elements[label] = share_of(sums[label]);
   result.lost = share_of(sums[table.sky()]);
   result.sky = share_of(rest);
+  return result;
+}
+
+std::vector<Enclosure> sunlit_areas(const PreparedScene3& prepared, const ElementTable3& table, const ExactMap3& map) {
+  const auto area = [sun = map.sun()](const ExactCone3& cone) {
+    Ball sum;
+    for (std::size_t k = 1; k + 1 < cone.corners.size(); ++k)
+      sum = sum.plus(sun->area(cone.corners[0], cone.corners[k], cone.corners[k + 1], kPrecision), kPrecision);
+    return sum;
+  };
+  std::vector<Ball> sums(std::size_t{table.count()} + 1);
+  std::vector<char> is_lit(sums.size(), 0);
+  for (const Shares& of_fragment : shares_of_fragments(prepared, table, map, area))
+    for (const auto& [label, share] : of_fragment) {
+      sums[label] = sums[label].plus(share, kPrecision);
+      is_lit[label] = 1;
+    }
+  std::vector<Enclosure> result(table.count(), Enclosure{0, 0});
+  for (std::uint32_t label = 0; label < table.count(); ++label)
+    if (is_lit[label] != 0) result[label] = sums[label].bounds();
   return result;
 }
 

@@ -1,4 +1,4 @@
-// Where the power of a point light or a spot light goes first.
+// Where the power of a point light or a spot light goes first, and what a sun lights.
 #pragma once
 
 #include <cstdint>
@@ -50,5 +50,16 @@ LightShares3 light_shares(const PreparedScene3& prepared, const ElementTable3& t
 // The same where the map of the point is known.
 LightShares3 light_shares(const PreparedScene3& prepared, const ElementTable3& table, const ExactMap3& map,
                           const BeamPower3& beam);
+
+// Returns the area of what a sun lights of each element, across its rays, within bounds: irradiance times area is what
+// falls on it. Labels are those of the table.                                                  [scene unit squared]
+//
+//   (1) bounds are proven, and at most some 2^-50 of the area wide; {0, 0} exactly where no ray comes: hidden, along
+//   the
+//       rays, turned away
+//
+// REQUIRES the table of the prepared scene, and the map of a sun. Throws Interrupted when asked to stop.
+// COST: for each fragment of the map, and each element in it, a determinant of integers a corner.
+std::vector<Enclosure> sunlit_areas(const PreparedScene3& prepared, const ElementTable3& table, const ExactMap3& map);
 
 }  // namespace hottel

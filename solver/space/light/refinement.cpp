@@ -42,15 +42,16 @@ struct Circle {
 class LitPatches3 {
  public:
   LitPatches3(const PreparedScene3& prepared, const Light& light, const LightPlace3& place)
-      : map_(prepared.blockers(), place.position),
-        beam_(beam_of(light, place)),
-        is_in_solid_(prepared.arrangement().solids().around(place.position).has_value()) {
+      : map_(light.is_sun() ? ExactMap3::of_sun(prepared.blockers(), place.direction)
+                            : ExactMap3(prepared.blockers(), place.position)),
+        beam_(light.is_sun() ? Beam3{} : beam_of(light, place)),
+        is_in_solid_(!light.is_sun() && prepared.arrangement().solids().around(place.position).has_value()) {
     for (std::size_t f = 0; f < map_.size(); ++f) {
       const PointMap3::Fragment& fragment = map_.map().fragments[f];
       std::vector<Direction3> corners;
       for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) corners.push_back(map_.map().corners[c].direction);
       circles_.push_back(Circle::around(corners));
-      meets_.push_back(beam_.meets(map_.cone(f)));
+      meets_.push_back(map_.sun() ? BeamPower3::Meets::kAll : beam_.meets(map_.cone(f)));
       is_seen_.insert(fragment.face.number());
     }
   }
@@ -59,7 +60,7 @@ class LitPatches3 {
     const Face side{part.patch.surface, part.is_back};
     if (is_in_solid_ || !is_seen_.contains(side.number())) return sum.add(Reach::kNothing);
     const ExactCone3 cone = map_.cone_of(part.patch);
-    const Circle circle = circle_of(part.patch);
+    const Circle circle = map_.sun() ? circle_of(cone) : circle_of(part.patch);
     for (std::size_t f = 0; f < map_.size() && !sum.is_part(); ++f) {
       if (!circles_[f].may_meet(circle)) continue;
       const std::optional<ExactCone3> common = common_cone(map_.cone(f), cone);
@@ -70,6 +71,15 @@ class LitPatches3 {
   }
 
  private:
+  static Circle circle_of(const ExactCone3& cone) {
+    std::vector<Direction3> corners;
+    for (const IntegerVector& corner : cone.corners) {
+      const BoundedVector w = rounded(corner, bits(corner) - 53);
+      corners.push_back(unit(Direction3{w.x, w.y, w.z}));
+    }
+    return Circle::around(corners);
+  }
+
   Circle circle_of(const Patch3& patch) const {
     std::vector<Direction3> corners;
     for (const Point3& corner : corners_of(map_.blockers().vertices(), patch)) {

@@ -34,7 +34,9 @@ Beam3 beam_of(const Light& light, const LightPlace3& place) {
 }
 
 bool is_lit_alike_3(const Light& a, const LightPlace3& at, const Light& b, const LightPlace3& there) {
-  if (a.type != b.type || at.position != there.position) return false;
+  if (a.type != b.type) return false;
+  if (a.is_sun()) return at.direction == there.direction;
+  if (at.position != there.position) return false;
   return a.type == LightType::kPoint ||
          (a.focus == b.focus && a.falloff == b.falloff && at.direction == there.direction);
 }
@@ -67,6 +69,7 @@ std::vector<LightShares> LitElements3::shares(const Scene3& scene) const {
 
 LightShares LitElements3::compute(const Scene3& scene, std::size_t light) const {
   const LightPlace3& place = scene.light_places[light];
+  if (scene.lights[light].is_sun()) return compute_sun(place);
   const LightShares3 shares = naming_file(scene.file, [&] {
     return light_shares(*prepared_, table_, *map_from(place.position), BeamPower3(beam_of(scene.lights[light], place)));
   });
@@ -77,6 +80,14 @@ LightShares LitElements3::compute(const Scene3& scene, std::size_t light) const 
     const Solids3& solids = prepared_->arrangement().solids();
     result.solid = solids.meshes()[*solids.around(place.position)].name;
   }
+  return result;
+}
+
+LightShares LitElements3::compute_sun(const LightPlace3& place) const {
+  LightShares result;
+  result.of_element = sunlit_areas(*prepared_, table_, ExactMap3::of_sun(prepared_->blockers(), place.direction));
+  result.whole = {0, 0};
+  for (const Enclosure& area : result.of_element) result.whole = sum_of_nonnegative(result.whole, area);
   return result;
 }
 

@@ -14,11 +14,11 @@
 
 namespace hottel {
 
-// The beam of a light as it stands.
+// The beam of a light as it stands. REQUIRES no sun.
 Beam3 beam_of(const Light& light, const LightPlace3& place);
 
-// Whether two lights shine on the same: they stand at one place, and their beams are the same. Neither power nor motion
-// matters.
+// Whether two lights shine on the same: they stand at one place, and their beams are the same; of suns, their
+// directions. Neither power nor motion matters.
 bool is_lit_alike_3(const Light& a, const LightPlace3& at, const Light& b, const LightPlace3& there);
 
 // Returns the shares of each light as it stands: Phi_i / P. The elements are those of a matrix of that granularity.
@@ -26,6 +26,7 @@ bool is_lit_alike_3(const Light& a, const LightPlace3& at, const Light& b, const
 //   (1) what is seen from the light is its exact map; shares are proven bounds (beam_shares)
 //   (2) a face in whose plane the light lies, and one that the beam only touches, gets 0
 //   (3) a light in a solid gives nothing to anybody (LightShares::solid)
+//   (4) of a sun they are the areas across its rays of what it lights (sunlit_areas)
 //
 // REQUIRES a scene that validate() takes: no light lies on a polygon. COST: a map from each light, and balls for each
 // piece that it sees. Nothing without lights.
@@ -63,6 +64,7 @@ class LitElements3 {
     std::vector<std::shared_ptr<const KnownShares>> shares;
   };
   MapPtr map_from(const Point3& position) const;
+  LightShares compute_sun(const LightPlace3& place) const;
   LightShares compute(const Scene3& scene, std::size_t light) const;
 
   std::shared_ptr<const PreparedScene3> prepared_;

@@ -18,7 +18,9 @@ SceneLights3::SceneLights3(const PreparedScene3& prepared) {
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
     const LightPlace3& place = scene.light_places[k];
     Lamp& lamp = lamps_.emplace_back();
-    lamp.light = std::make_unique<const DirectLight3>(prepared, place.position, beam_of(scene.lights[k], place));
+    lamp.light = scene.lights[k].is_sun()
+                     ? std::make_unique<const DirectLight3>(prepared, place.direction)
+                     : std::make_unique<const DirectLight3>(prepared, place.position, beam_of(scene.lights[k], place));
     for (std::size_t c = 0; c < 3; ++c) lamp.power[c] = to_double(scene.lights[k].power.value[c]);
   }
 }

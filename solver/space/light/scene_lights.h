@@ -11,7 +11,7 @@
 
 namespace hottel {
 
-// All lights of a scene as they stand, each with its power by channel.
+// All lights of a scene as they stand, each with its power by channel, a sun with its irradiance.
 //
 // REQUIRES that the scene outlives it. COST: an exact map a light; nothing without lights.
 class SceneLights3 {

@@ -57,15 +57,22 @@ double root(const Rational& square) {
 // A light that tests points.
 class Tester {
  public:
-  Tester(const PreparedScene3& prepared, const LightPlace3& place, const Beam3& beam, LightTest test)
+  Tester(const PreparedScene3& prepared, const Light& light, const LightPlace3& place, LightTest test)
       : vertices_(prepared.blockers().vertices()),
-        map_(prepared.blockers(), place.position),
+        map_(light.is_sun() ? ExactMap3::of_sun(prepared.blockers(), place.direction)
+                            : ExactMap3(prepared.blockers(), place.position)),
         finder_(map_),
-        beam_(beam),
+        beam_(light.is_sun() ? Beam3{} : beam_of(light, place)),
+        sun_(place.direction),
         test_(test) {}
 
   double share(const Patch3& patch) const {
     const ExactPatch exact(vertices_, patch);
+    if (map_.sun()) {
+      const Rational across = -dot(exact.area, sun_);
+      const double part = across > 0 ? lit_part(exact) : 0;
+      return part > 0 ? part * root(across * across / dot(sun_, sun_)) : 0;
+    }
     const Vector3 way = exact.centroid - map_.eye();
     const Rational height = -dot(exact.area, way), square = dot(way, way);  // area, cosine and distance
     if (height <= 0) return 0;
@@ -81,12 +88,15 @@ class Tester {
     for (const Point3& corner : patch.corners) lit += passes(corner) ? 1 : 0;
     return static_cast<double>(lit) / static_cast<double>(patch.corners.size());
   }
-  bool passes(const Point3& point) const { return beam_.side(map_.toward(point)) >= 0 && finder_.sees(point); }
+  bool passes(const Point3& point) const {
+    return (map_.sun() || beam_.side(map_.toward(point)) >= 0) && finder_.sees(point);
+  }
 
   const Vertices3& vertices_;
   ExactMap3 map_;
   SightFinder3 finder_;
   BeamPower3 beam_;
+  Vector3 sun_;  // of a sun: the direction of its rays
   LightTest test_;
 };
 
@@ -120,7 +130,7 @@ std::vector<LightShares> light_shares(const PreparedScene3& prepared, Granularit
     result[k].test = test;
     naming_file(scene.file, [&] {
       const LightPlace3& place = scene.light_places[k];
-      test_elements(table, Tester(prepared, place, beam_of(scene.lights[k], place), test), scene.lights[k], result[k]);
+      test_elements(table, Tester(prepared, scene.lights[k], place, test), scene.lights[k], result[k]);
     });
   }
   return result;

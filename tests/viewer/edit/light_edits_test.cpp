@@ -21,6 +21,34 @@ Light bulb() {
   return light;
 }
 
+Light sun() {
+  Light light{.name = "sun", .type = LightType::kSun, .power = {}};
+  light.power = Spectrum::scalar(800);
+  return light;
+}
+
+TEST(LightEdits, LeaveASunASun) {
+  Light light = sun();
+  for (const char* name : {"less reflectivity", "more reflectivity", "colour", "less emission", "more emission"}) {
+    edit_light(light, name);
+    EXPECT_TRUE(light.is_sun()) << name;
+    EXPECT_EQ(light_problem(light), "") << name;
+  }
+  light = sun();
+  std::vector<Rational> rotation{0, 0, 0};
+  edit_light(light, rotation, "spin");
+  EXPECT_EQ(rotation, (std::vector<Rational>{0, 0, kSpin}));
+  EXPECT_EQ(light_text(light, rotation), "irradiance 800; rotation 0 0 30");
+  EXPECT_EQ(read_light("irradiance 900; rotation 0 15 0", light, rotation), "");
+  EXPECT_TRUE(light.is_sun());
+  EXPECT_EQ(light.power.value[0], 900);
+  EXPECT_EQ(rotation[1], 15);
+  EXPECT_EQ(read_light("focus 20", light, rotation), "a sun: say 'irradiance' or 'rotation', not 'focus'");
+  EXPECT_EQ(read_light("power 20", light, rotation), "a sun: say 'irradiance' or 'rotation', not 'power'");
+  Light lamp = bulb();
+  EXPECT_NE(read_light("irradiance 20", lamp, rotation), "");
+}
+
 // (1)
 TEST(LightEdits, StayWithinWhatALightMayBe) {
   for (const char* name : {"less reflectivity", "more reflectivity", "less emission", "more emission", "colour"}) {

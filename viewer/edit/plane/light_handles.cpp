@@ -55,7 +55,8 @@ std::optional<LightHold> pick_light(const Scene2& scene, const Place2& place, do
     nearest = LightHold{light, part};
   };
   const auto count = static_cast<std::uint32_t>(scene.lights.size());
-  for (std::uint32_t k = 0; k < count; ++k) offer(k, LightPart::kPlace, light_shape(scene, k, arm).place);
+  for (std::uint32_t k = 0; k < count; ++k)
+    if (!scene.lights[k].is_sun()) offer(k, LightPart::kPlace, light_shape(scene, k, arm).place);
   for (const auto& [part, member] : {std::pair(LightPart::kAxis, &LightShape2::axis),
                                      {LightPart::kLeft, &LightShape2::left},
                                      {LightPart::kRight, &LightShape2::right}})
@@ -94,7 +95,7 @@ Scene2 move_light(const Scene2& scene, std::uint32_t light, const Rational& dx, 
 
 Scene2 turn_light(const Scene2& scene, std::uint32_t light, const Rational& degrees) {
   Scene2 edited = begin_light_edit(scene, light);
-  if (edited.lights[light].type != LightType::kSpot) return scene;
+  if (edited.lights[light].type == LightType::kPoint) return scene;
   const Point2& direction = edited.light_places[light].direction;
   const int decimals = kDirectionDigits - decades(std::max(abs(direction.x), abs(direction.y)));
   edited.light_places[light].direction = Rotation2({}, degrees, decimals)(direction);

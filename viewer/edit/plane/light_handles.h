@@ -22,7 +22,7 @@ struct LightShape2 {
 // Digits of a direction that was turned: an axis so far off is not seen.
 inline constexpr int kDirectionDigits = 6;
 
-// Returns the light with handles at `arm` from it. [scene length]
+// Returns the light with handles at `arm` from it. [scene length] REQUIRES no sun: it has none, and is not picked.
 LightShape2 light_shape(const Scene2& scene, std::uint32_t light, double arm);
 
 // Returns what of a light is nearest to a place, within reach; of what is equally near, places before axes before

@@ -145,7 +145,7 @@ bool is_in_front(const LightPlace3& place, const Pointer3& pointer) {
 std::optional<LightShape3> light_shape(const Scene3& scene, std::uint32_t light, const Pointer3& pointer) {
   HOTTEL_REQUIRE(light < scene.lights.size());
   const LightPlace3& where = scene.light_places[light];
-  if (!is_in_front(where, pointer)) return std::nullopt;
+  if (scene.lights[light].is_sun() || !is_in_front(where, pointer)) return std::nullopt;
   LightShape3 shape{.place = place_of(where.position), .is_spot = scene.lights[light].type == LightType::kSpot};
   if (!shape.is_spot) return shape;
   const Beam beam = beam_of(where, pointer);
@@ -209,7 +209,7 @@ Scene3 move_light(const Scene3& scene, std::uint32_t light, const Vector3& way) 
 
 Scene3 turn_light(const Scene3& scene, std::uint32_t light, const Rational& degrees) {
   Scene3 edited = begin_light_edit(scene, light);
-  if (edited.lights[light].type != LightType::kSpot) return scene;
+  if (edited.lights[light].type == LightType::kPoint) return scene;
   Vector3& direction = edited.light_places[light].direction;
   const Rational angle = within_a_turn(degrees);
   if (Rational(angle / 90).get_den() == 1) {

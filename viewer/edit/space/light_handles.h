@@ -22,7 +22,8 @@ struct LightShape3 {
 // Decimals of a direction that a hand turns: of a vector 1 long, or as long as its largest component.
 inline constexpr int kDragDecimals = 3, kTurnDecimals = 6;
 
-// Returns the light with handles at pointer.arm pixels from it; nothing where it is not in front of the eye.
+// Returns the light with handles at pointer.arm pixels from it; nothing where it is not in front of the eye, and for
+// a sun, which is nowhere.
 std::optional<LightShape3> light_shape(const Scene3& scene, std::uint32_t light, const Pointer3& pointer);
 
 // Returns what of a light is seen nearest to the mouse, within reach; of what is equally near, places before axes

@@ -55,6 +55,7 @@ std::string light_refusal(const Scene3& scene, std::uint32_t light, const Solids
   const LightPlace3& place = scene.light_places[light];
   if (const std::string problem = light_place_problem(scene, scene.lights[light], place); !problem.empty())
     return scene.lights[light].name + " " + problem;
+  if (scene.lights[light].is_sun()) return "";
   if (const auto mesh = solids.around(place.position))
     return "there is the solid " + quoted_name(solids.meshes()[*mesh].name);
   const ClosedMesh3* room = before != nullptr ? room_around(scene, solids, *before) : nullptr;

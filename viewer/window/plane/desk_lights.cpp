@@ -98,6 +98,7 @@ void Desk2::ask_for_light(std::uint32_t light) {
 void Desk2::draw_lights(PictureCanvas& canvas) const {
   const Scene2& scene = *shown_scene();
   for (std::uint32_t k = 0; k < scene.lights.size(); ++k) {
+    if (scene.lights[k].is_sun()) continue;  // it is nowhere
     const LightShape2 shape = light_shape(scene, k, pointer().arm);
     LightMark mark{.place = camera_.at(shape.place, size_)};
     if (shape.is_spot) {

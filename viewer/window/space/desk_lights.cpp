@@ -78,11 +78,11 @@ void Desk3::selected_light_command(std::string_view name) {
   } else if (name == "delete") {
     say(editor_.erase(), "");
   } else {
-    const bool is_spot = scene()->lights[*editor_.selected_light()].type == LightType::kSpot;
+    const bool has_axis = scene()->lights[*editor_.selected_light()].type != LightType::kPoint;
     say(editor_.rotate(name == "turn"        ? 15
                        : name == "turn back" ? -15
                                              : 90),
-        is_spot ? "it turns about the vertical, and that is its axis" : "a point light has no axis to turn");
+        has_axis ? "it turns about the vertical, and that is its axis" : "a point light has no axis to turn");
   }
 }
 

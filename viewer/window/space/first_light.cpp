@@ -21,15 +21,15 @@ ElementPaint3 light_before_factors_3(const Scene3& scene, const ElementTable3& t
       reflectivity[m] = to_double(scene.materials[m].reflectivity.value[c]);
     }
     const double sky = to_double(scene.sky_emission.value[c]);
-    double sent = 0, lost = 0;
-    for (const Light& light : scene.lights) sent += to_double(light.power.value[c]);
+    double sent = 0, lost = 0, of_suns = 0;
+    for (const Light& light : scene.lights) (light.is_sun() ? of_suns : sent) += to_double(light.power.value[c]);
     for (std::uint32_t i = 0; i < table.count(); ++i) {
       if (!table.has_row(i)) continue;
       const Element& element = table.elements()[i];
       sent += element.area.value * emission[*element.material];
       lost += element.area.value * (1 - reflectivity[*element.material]);
     }
-    const double mean = (lost > 0 ? sent / lost : 0) + sky / 2;
+    const double mean = (lost > 0 ? sent / lost : 0) + sky / 2 + of_suns / 4;
     for (std::uint32_t i = 0; i < table.count(); ++i) {
       if (!table.has_row(i)) continue;
       const Element& element = table.elements()[i];

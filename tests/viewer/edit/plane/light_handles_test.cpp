@@ -59,6 +59,14 @@ TEST(LightHandles2, ArePickedNearestFirst) {
 }
 
 // (1)
+TEST(LightHandles2, ASunHasNoneAndTurns) {
+  Scene2 scene = lit_room();
+  scene.lights[1].type = LightType::kSun;
+  scene.light_places[1] = {.position = {2, Rational(19, 20)}, .direction = {0, -1}};
+  EXPECT_EQ(pick_light(scene, {2, 0.95}, kReach, kArm), std::nullopt);
+  EXPECT_EQ(turn_light(scene, 1, 90).light_places[1].direction, (Point2{1, 0}));
+}
+
 TEST(LightHandles2, TakeThePathAlong) {
   SceneEditor2 editor(lit_room());
   drag(editor, at(2.01, 1), at(2.51, 1.25));

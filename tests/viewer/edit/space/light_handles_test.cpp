@@ -72,6 +72,13 @@ TEST(LightHandles3, ArePickedNearestFirst) {
 }
 
 // (1) and (2)
+TEST(LightHandles3, ASunHasNone) {
+  Scene3 scene = lit_space();
+  scene.lights[1].type = LightType::kSun;
+  EXPECT_EQ(pick_light(scene, at(Direction3{-1, 2, 0})), std::nullopt);
+  EXPECT_FALSE(light_shape(scene, 1, at(Pixel{})));
+}
+
 TEST(LightHandles3, MoveParallelToThePictureAndTakeThePathAlong) {
   const LightPlace3 place = dragged(lit_space(), {1, LightPart::kPlace}, at(Direction3{-0.503, 2, 0.25}));
   EXPECT_EQ(place.position, (Point3{Rational(-1, 2), 2, Rational(1, 4)}));
