@@ -187,7 +187,7 @@ TEST(Unobstructed3, DistantPairsLoseNoDigits) {
     }
     for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-13}) {
       const UnobstructedMeasure3 result = measure(floor_of(1, 1), ceiling_of(1, 1, distance), tolerance);
-      const double may_lack = tolerance > 1e-7 ? 2 * tolerance * tolerance * result.measure : 0;
+      const double may_lack = tolerance > 1e-7 ? 4 * tolerance * tolerance * result.measure : 0;
       EXPECT_LE(std::fabs(static_cast<long double>(result.measure) - truth), 1e-13L * truth + may_lack) << distance;
       EXPECT_LE(result.error, (distance < 16 ? 1e-12 : 1e-13) * result.measure + may_lack) << distance;
       expect_encloses(result, truth, 1e-17L * truth);
