@@ -21,6 +21,7 @@ Scene3 generate_terrain_3(const GeneratorRequest3& request);
 Scene3 generate_nested_cubes_3(const GeneratorRequest3& request);
 Scene3 generate_triangle_soup_3(const GeneratorRequest3& request);
 Scene3 generate_furnished_room_3(const GeneratorRequest3& request);
+Scene3 generate_flat_3(const GeneratorRequest3& request);
 Scene3 generate_lattice_boxes_3(const GeneratorRequest3& request);
 
 }  // namespace hottel

@@ -35,8 +35,8 @@ std::vector<GeneratorRequest3> requests(std::uint64_t seed) {
 }
 
 bool may_overlap(const GeneratorRequest3& r) {
-  static const std::set<std::string> kStanding = {"room-boxes", "room-stacked", "street-blocks", "town",
-                                                  "furnished-room"};
+  static const std::set<std::string> kStanding = {"room-boxes", "room-stacked",   "street-blocks",
+                                                  "town",       "furnished-room", "flat"};
   return r.kind == "room-touching" || r.kind == "lattice-boxes" || (kStanding.contains(r.kind) && r.has_bottoms);
 }
 
@@ -172,6 +172,7 @@ TEST(Generators3, ScenesAreTheSameOnEveryPlatform) {
   EXPECT_EQ(fingerprint_of("nested-cubes", 9), 15842301745209269911u);
   EXPECT_EQ(fingerprint_of("triangle-soup", 50), 4371724733401593418u);
   EXPECT_EQ(fingerprint_of("furnished-room", 348), 2822215380481117405u);
+  EXPECT_EQ(fingerprint_of("flat", 1090), 6815800375113218192u);
   EXPECT_EQ(fingerprint_of("lattice-boxes", 9), 4025473882041548957u);
 }
 
@@ -211,7 +212,7 @@ void expect_closed_but_below(const std::vector<const Polygon3*>& polygons, bool 
 // Of a request without bottoms: what stands on something.
 bool stands(const std::string& kind, const std::string& group) {
   if (group == "room" || group == "ground") return false;
-  if (kind != "furnished-room") return true;
+  if (kind != "furnished-room" && kind != "flat") return true;
   return group.find(".leg") != std::string::npos || group.find(".side") != std::string::npos ||
          group.find(".foot") != std::string::npos;
 }
@@ -478,6 +479,25 @@ TEST(Generators3, TerrainHasSoManyPolygonsAndBuildingsWithTheirFeetInTheGround) 
     }
     for (std::size_t i = 0; i < boxes.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) EXPECT_LT(contact_of(boxes[i], boxes[j]).first, 3);
+  }
+}
+
+TEST(Generators3, AFlatHasSoManyTriangles) {
+  for (const std::uint64_t rooms : {1u, 2u, 3u, 5u, 14u})
+    for (const std::uint64_t more : {0u, 369u}) {
+      const Scene3 scene = generate_3(request("flat", 370 * rooms - 20 + more, 3));
+      EXPECT_EQ(scene.surfaces.size(), 370 * rooms - 20);
+      for (const Polygon3& polygon : scene.polygons) EXPECT_EQ(polygon.points.size(), 3u);
+    }
+}
+
+// What the walls, floors and ceilings enclose are the rooms of 5 m x 4 m x 2.6 m and a doorway for each but the first,
+// of 0.9 m x 2 m x 0.15 m.
+TEST(Generators3, AFlatEnclosesItsRoomsAndDoorways) {
+  for (const int rooms : {1, 2, 3, 8, 14}) {
+    const Scene3 scene = generate_3(request("flat", static_cast<std::uint64_t>(370 * rooms - 20), 5));
+    const Rational volume = -volume_of(groups_of(scene).at("room")) / 6;
+    EXPECT_EQ(volume, 52 * rooms + Rational(27, 100) * (rooms - 1)) << rooms;
   }
 }
 
