@@ -266,10 +266,10 @@ void stages(benchmark::State& state, Room3 room, const Division& division, doubl
   }
 }
 
-void town(benchmark::State& state, int buildings, int rows, double tolerance, Who who) {
+void town(benchmark::State& state, std::uint64_t buildings, int rows, double tolerance, Who who) {
   const ThreadLimit limit(1);
   const DefaultFloatingPoint arithmetic;
-  const PreparedScene3 prepared = prepare(town_3(buildings, 20));
+  const PreparedScene3 prepared = prepare(town_3(buildings));
   const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), Granularity::kElement);
   const std::vector<const Part*> parts = chosen(table, who);
   std::vector<std::uint32_t> with_row;
@@ -317,7 +317,7 @@ void add_centred_rooms() {
              [=](benchmark::State& state) { factors(state, Room3::kCentred, division, 1e-6, 1); });
 }
 
-void add_town(int buildings, int rows, double tolerance, Who who) {
+void add_town(std::uint64_t buildings, int rows, double tolerance, Who who) {
   add_case(fmt::format("town/buildings:{}/tolerance:{}/{}", buildings, tolerance, kWhoNames[static_cast<int>(who)]),
            [=](benchmark::State& state) { town(state, buildings, rows, tolerance, who); });
 }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/space/generate/generators.h"
 #include "geometry/space/scene/scene.h"
 
 namespace hottel::benchmarks {
@@ -169,28 +170,8 @@ inline Scene3 full_room_3(std::size_t boxes, bool are_turned) {
   return maker.take();
 }
 
-// Returns a town: so many buildings of 8 m to 14 m by 8 m to 14 m, 6 m to 40 m high, one on each lot of 20 m by 20 m,
-// 25 lots in a row, on a ground of n x n elements; no bottoms, each other face divided into 2 x 2. Whole quarters of a
-// metre.
-inline Scene3 town_3(int buildings, std::uint32_t ground) {
-  constexpr int kLotsInARow = 25, kLot = 80;  // quarters of a metre
-  const int rows = (buildings + kLotsInARow - 1) / kLotsInARow;
-  Dice3 dice(1);
-  SceneMaker3 maker;
-  const Rational width = 20 * kLotsInARow, depth = 20 * rows;
-  maker.add({{{0, 0, 0}, {width, 0, 0}, {width, depth, 0}, {0, depth, 0}}}, ground);
-  for (int building = 0; building < buildings; ++building) {
-    const int w = dice.roll(32, 56), d = dice.roll(32, 56), h = dice.roll(24, 160);
-    const int x = building % kLotsInARow * kLot + dice.roll(8, kLot - 8 - w);
-    const int y = building / kLotsInARow * kLot + dice.roll(8, kLot - 8 - d);
-    maker.add_box({{ratio(2 * x + w, 8), ratio(2 * y + d, 8), ratio(h, 8)},
-                   {ratio(w, 4), ratio(d, 4), ratio(h, 4)},
-                   {1, 0, 0, 0},
-                   false},
-                  2);
-  }
-  return maker.take();
-}
+// Returns the town that `hottel generate town --no-bottoms --seed 1` makes.
+inline Scene3 town_3(std::uint64_t buildings) { return generate_3({"town", buildings, 1, false}); }
 
 // The value below which a part of them lies: 0.5 is the median, 1 the largest; 0 of none.
 inline double quantile(const std::vector<double>& values, double part) {

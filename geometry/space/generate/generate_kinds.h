@@ -16,9 +16,12 @@ Scene3 generate_room_floating_3(const GeneratorRequest3& request);
 Scene3 generate_room_turned_3(const GeneratorRequest3& request);
 Scene3 generate_room_piercing_3(const GeneratorRequest3& request);
 Scene3 generate_street_blocks_3(const GeneratorRequest3& request);
+Scene3 generate_town_3(const GeneratorRequest3& request);
+Scene3 generate_terrain_3(const GeneratorRequest3& request);
 Scene3 generate_nested_cubes_3(const GeneratorRequest3& request);
 Scene3 generate_triangle_soup_3(const GeneratorRequest3& request);
 Scene3 generate_furnished_room_3(const GeneratorRequest3& request);
+Scene3 generate_flat_3(const GeneratorRequest3& request);
 Scene3 generate_lattice_boxes_3(const GeneratorRequest3& request);
 
 }  // namespace hottel

@@ -74,6 +74,7 @@ void GeneratorCanvas3::add_polygon(Polygon3 polygon, Paint paint) {
   Surface surface;
   surface.name = piece_name(scene_.groups.back().name, count_in_group_++);
   surface.material = paint;
+  surface.elements = elements_;
   surface.group = static_cast<std::uint32_t>(scene_.groups.size() - 1);
   scene_.add(std::move(surface), std::move(polygon));
 }

@@ -54,6 +54,9 @@ class GeneratorCanvas3 {
   // From now on each quad is drawn as two triangles.
   void draw_triangles() { draws_triangles_ = true; }
 
+  // From now on each polygon is divided into elements x elements.
+  void divide(std::uint32_t elements) { elements_ = elements; }
+
   // A group; polygons belong to the last one. Their names are name[0], name[1], ...
   void begin(std::string name);
   void add(const std::vector<Dot3>& points, Paint paint);
@@ -83,6 +86,7 @@ class GeneratorCanvas3 {
   void add_polygon(Polygon3 polygon, Paint paint);
 
   bool has_bottoms_, draws_triangles_ = false;
+  std::uint32_t elements_ = 1;
   Integer denominator_;
   std::size_t count_in_group_ = 0;
   Scene3 scene_;

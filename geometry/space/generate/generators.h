@@ -30,13 +30,13 @@ inline constexpr std::uint64_t kMaxGeneratedBodies = 100'000;
 //   (1) the same request gives the same scene, on every platform: integers and std::mt19937_64 decide, no floating
 //       point and no library distribution
 //   (2) every polygon is exactly plane and convex, whatever it is turned by: rotations are of rational numbers
-//   (3) every group but those of "triangle-soup" and the ground of "street-blocks" is a closed mesh: each of its sides
-//       is a side of two of its polygons, in opposite senses. Boxes have their fronts outward, rooms inward. A body
-//       without a bottom is open there and nowhere else
-//   (4) every kind but "street-blocks" is closed: no front with a material sees the sky
-//   (5) no two polygons share an area in the kinds "room-floating", "room-turned", "room-piercing", "nested-cubes" and
-//       "triangle-soup", nor, without bottoms, in "room-boxes", "room-stacked", "street-blocks" and "furnished-room".
-//       In the others a box shares area with what it stands on or touches
+//   (3) every group but those of "triangle-soup" and the ground of kinds under a sky is a closed mesh: each of its
+//       sides is a side of two of its polygons, in opposite senses. Boxes have their fronts outward, rooms inward. A
+//       body without a bottom is open there and nowhere else. The ground of "terrain" is open along its border only
+//   (4) every kind but "street-blocks", "town" and "terrain" is closed: no front with a material sees the sky
+//   (5) no two polygons share an area in the kinds "room-floating", "room-turned", "room-piercing", "terrain",
+//       "nested-cubes" and "triangle-soup", nor, without bottoms, in "room-boxes", "room-stacked", "street-blocks",
+//       "town", "furnished-room" and "flat". In the others a box shares area with what it stands on or touches
 //   (6) "lattice-boxes" is full of coincidences; one material, so that no two claims on a piece differ
 //   (7) n decides the number of polygons, as GeneratorKind3::count says, and something always emits
 //   (8) polygons are called GROUP[k], k from 0 in each group, as the faces of a mesh are; no back has a material

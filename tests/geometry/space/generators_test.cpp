@@ -35,8 +35,13 @@ std::vector<GeneratorRequest3> requests(std::uint64_t seed) {
 }
 
 bool may_overlap(const GeneratorRequest3& r) {
-  static const std::set<std::string> kStanding = {"room-boxes", "room-stacked", "street-blocks", "furnished-room"};
+  static const std::set<std::string> kStanding = {"room-boxes", "room-stacked",   "street-blocks",
+                                                  "town",       "furnished-room", "flat"};
   return r.kind == "room-touching" || r.kind == "lattice-boxes" || (kStanding.contains(r.kind) && r.has_bottoms);
+}
+
+bool is_under_the_sky(const std::string& kind) {
+  return kind == "street-blocks" || kind == "town" || kind == "terrain";
 }
 
 std::string text_of(const Point3& p) { return p.x.get_str() + " " + p.y.get_str() + " " + p.z.get_str(); }
@@ -162,9 +167,12 @@ TEST(Generators3, ScenesAreTheSameOnEveryPlatform) {
   EXPECT_EQ(fingerprint_of("room-turned", 9), 3546268340081892169u);
   EXPECT_EQ(fingerprint_of("room-piercing", 9), 4078404909363811079u);
   EXPECT_EQ(fingerprint_of("street-blocks", 9), 683384474053243381u);
+  EXPECT_EQ(fingerprint_of("town", 30), 244774277903438918u);
+  EXPECT_EQ(fingerprint_of("terrain", 300), 12104322002016372919u);
   EXPECT_EQ(fingerprint_of("nested-cubes", 9), 15842301745209269911u);
   EXPECT_EQ(fingerprint_of("triangle-soup", 50), 4371724733401593418u);
   EXPECT_EQ(fingerprint_of("furnished-room", 348), 2822215380481117405u);
+  EXPECT_EQ(fingerprint_of("flat", 1090), 6815800375113218192u);
   EXPECT_EQ(fingerprint_of("lattice-boxes", 9), 4025473882041548957u);
 }
 
@@ -204,9 +212,29 @@ void expect_closed_but_below(const std::vector<const Polygon3*>& polygons, bool 
 // Of a request without bottoms: what stands on something.
 bool stands(const std::string& kind, const std::string& group) {
   if (group == "room" || group == "ground") return false;
-  if (kind != "furnished-room") return true;
+  if (kind != "furnished-room" && kind != "flat") return true;
   return group.find(".leg") != std::string::npos || group.find(".side") != std::string::npos ||
          group.find(".foot") != std::string::npos;
+}
+
+// True of hills: one height over each point, 0 along the border of a square; no side is open but those there.
+void expect_open_at_the_border(const std::vector<const Polygon3*>& polygons, const std::string& about) {
+  std::vector<Point3> points;
+  const auto sides = sides_of(polygons, points);
+  const Rational end = box_of(points)[1].x;
+  const auto is_at_the_border = [&](const Point3& p) {
+    return p.z == 0 && (p.x == 0 || p.y == 0 || p.x == end || p.y == end);
+  };
+  std::size_t open = 0;
+  for (const auto& [side, count] : sides) {
+    ASSERT_EQ(count, 1) << about;
+    if (sides.contains({side.second, side.first})) continue;
+    ++open;
+    EXPECT_TRUE(is_at_the_border(points[side.first]) && is_at_the_border(points[side.second])) << about;
+  }
+  EXPECT_EQ(open * open, 8 * polygons.size()) << about;  // 4 g sides about g x g cells of two triangles
+  for (const Polygon3* polygon : polygons) EXPECT_GT(doubled_area(*polygon).z, 0) << about;
+  for (const Point3& p : points) EXPECT_GE(p.z, 0) << about;
 }
 
 TEST(Generators3, GroupsAreClosedMeshes) {
@@ -214,6 +242,10 @@ TEST(Generators3, GroupsAreClosedMeshes) {
     for (const GeneratorRequest3& r : requests(seed)) {
       const Scene3 scene = generate_3(r);
       for (const auto& [group, polygons] : groups_of(scene)) {
+        if (r.kind == "terrain" && group == "ground") {
+          expect_open_at_the_border(polygons, scene.about);
+          continue;
+        }
         if (group == "ground" || group.starts_with("triangle")) {
           EXPECT_EQ(polygons.size(), 1u) << group;
           continue;
@@ -228,7 +260,7 @@ TEST(Generators3, BoxesHaveTheirFrontsOutwardAndRoomsInward) {
     if (!r.has_bottoms) continue;
     const Scene3 scene = generate_3(r);
     for (const auto& [group, polygons] : groups_of(scene)) {
-      if (polygons.size() == 1) continue;
+      if (polygons.size() == 1 || (r.kind == "terrain" && group == "ground")) continue;
       const bool is_even_cube = group.starts_with("cube") && (group.back() - '0') % 2 == 0;
       EXPECT_EQ(sgn(volume_of(polygons)), group == "room" || is_even_cube ? -1 : 1) << scene.about << ": " << group;
     }
@@ -238,7 +270,7 @@ TEST(Generators3, BoxesHaveTheirFrontsOutwardAndRoomsInward) {
 TEST(Generators3, NothingLiesOutsideTheRoom) {
   for (const GeneratorRequest3& r : requests(5)) {
     const Scene3 scene = generate_3(r);
-    EXPECT_EQ(scene.closed, r.kind != "street-blocks") << r.kind;
+    EXPECT_EQ(scene.closed, !is_under_the_sky(r.kind)) << r.kind;
     if (!scene.closed) continue;
     std::vector<Point3> points, walls;
     for (std::size_t s = 0; s < scene.polygons.size(); ++s)
@@ -375,6 +407,8 @@ TEST(Generators3, NumberOfPolygonsIsAsPromised) {
     EXPECT_EQ(count("room-stacked", false), 6 + 5 * n);
     EXPECT_EQ(count("street-blocks"), 1 + 6 * n);
     EXPECT_EQ(count("street-blocks", false), 1 + 5 * n);
+    EXPECT_EQ(count("town"), 1 + 6 * n);
+    EXPECT_EQ(count("town", false), 1 + 5 * n);
     EXPECT_EQ(count("nested-cubes"), 6 * n);
     EXPECT_EQ(count("triangle-soup"), n);
   }
@@ -384,6 +418,87 @@ TEST(Generators3, NumberOfPolygonsIsAsPromised) {
       EXPECT_EQ(scene.surfaces.size(), 12 + 336 * places);
       for (const Polygon3& polygon : scene.polygons) EXPECT_EQ(polygon.points.size(), 3u);
     }
+}
+
+TEST(Generators3, ATownHasABuildingOnEachLotAndElements) {
+  const Scene3 scene = generate_3(request("town", 60, 2));
+  const auto groups = groups_of(scene);
+  EXPECT_EQ(box_of(groups.at("ground")[0]->points), (std::array<Point3, 2>{Point3{0, 0, 0}, Point3{500, 60, 0}}));
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) EXPECT_EQ(scene.surfaces[s].elements, s == 0 ? 20u : 2u);
+  for (int k = 0; k < 60; ++k) {
+    std::vector<Point3> points;
+    for (const Polygon3* polygon : groups.at(numbered("building", k)))
+      points.insert(points.end(), polygon->points.begin(), polygon->points.end());
+    const auto [low, high] = box_of(points);
+    const Rational west = 20 * (k % 25), south = 20 * (k / 25);
+    for (const Rational& gap :
+         std::vector<Rational>{low.x - west, low.y - south, west + 20 - high.x, south + 20 - high.y})
+      EXPECT_GE(gap, 2) << k;
+    for (const Rational& side : std::vector<Rational>{high.x - low.x, high.y - low.y}) {
+      EXPECT_GE(side, 8) << k;
+      EXPECT_LE(side, 14) << k;
+    }
+    EXPECT_EQ(low.z, 0) << k;
+    EXPECT_GE(high.z, 6) << k;
+    EXPECT_LE(high.z, 40) << k;
+  }
+}
+
+// Each building has its feet in the ground, all around, and all of its top above.
+TEST(Generators3, TerrainHasSoManyPolygonsAndBuildingsWithTheirFeetInTheGround) {
+  for (const std::uint64_t n : {200u, 201u, 205u, 333u, 1000u, 5001u}) {
+    const Scene3 scene = generate_3(request("terrain", n, n));
+    EXPECT_LE(scene.surfaces.size(), n);
+    EXPECT_GT(scene.surfaces.size() + 6, n);
+    const auto groups = groups_of(scene);
+    EXPECT_GE(groups.size(), 1 + n / 60);
+    std::map<std::string, Rational> heights;
+    const auto key = [](const Rational& x, const Rational& y) { return x.get_str() + " " + y.get_str(); };
+    for (const Polygon3* polygon : groups.at("ground")) {
+      EXPECT_EQ(polygon->points.size(), 3u);
+      for (const Point3& p : polygon->points) heights[key(p.x, p.y)] = p.z;
+    }
+    std::vector<std::array<Point3, 2>> boxes;
+    for (const auto& [group, polygons] : groups) {
+      if (group == "ground") continue;
+      std::vector<Point3> points;
+      for (const Polygon3* polygon : polygons)
+        points.insert(points.end(), polygon->points.begin(), polygon->points.end());
+      boxes.push_back(box_of(points));
+      const auto [low, high] = boxes.back();
+      const std::int64_t west = 20 * static_cast<std::int64_t>(low.x.get_d() / 20),
+                         south = 20 * static_cast<std::int64_t>(low.y.get_d() / 20);
+      EXPECT_LT(high.x, west + 20) << group;
+      EXPECT_LT(high.y, south + 20) << group;
+      for (int corner = 0; corner < 9; ++corner) {
+        const Rational& height = heights.at(key(Rational(static_cast<long>(west + 10 * (corner % 3))),
+                                                Rational(static_cast<long>(south + 10 * (corner / 3)))));
+        EXPECT_GE(height, low.z + 1) << group;
+        EXPECT_LE(height, high.z - 3) << group;
+      }
+    }
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) EXPECT_LT(contact_of(boxes[i], boxes[j]).first, 3);
+  }
+}
+
+TEST(Generators3, AFlatHasSoManyTriangles) {
+  for (const std::uint64_t rooms : {1u, 2u, 3u, 5u, 14u})
+    for (const std::uint64_t more : {0u, 369u}) {
+      const Scene3 scene = generate_3(request("flat", 370 * rooms - 20 + more, 3));
+      EXPECT_EQ(scene.surfaces.size(), 370 * rooms - 20);
+      for (const Polygon3& polygon : scene.polygons) EXPECT_EQ(polygon.points.size(), 3u);
+    }
+}
+
+// What the walls, floors and ceilings enclose are the rooms of 5 m x 4 m x 2.6 m and a doorway for each but the first,
+// of 0.9 m x 2 m x 0.15 m.
+TEST(Generators3, AFlatEnclosesItsRoomsAndDoorways) {
+  for (const int rooms : {1, 2, 3, 8, 14}) {
+    const Scene3 scene = generate_3(request("flat", static_cast<std::uint64_t>(370 * rooms - 20), 5));
+    const Rational volume = -volume_of(groups_of(scene).at("room")) / 6;
+    EXPECT_EQ(volume, 52 * rooms + Rational(27, 100) * (rooms - 1)) << rooms;
+  }
 }
 
 TEST(Generators3, SomethingEmitsAndEveryNameIsThatOfAMesh) {
