@@ -58,46 +58,44 @@ ArcVector3<Real> integral(int n, Real width, const LambdaAt& lambda_at) {
 }
 
 template <class Real, class Piece>
-Integrals<Real> integrals(const Piece& piece, double low, double high) {
+Integrals<Real> integrals_point_by_point(const Piece& piece, double low, double high) {
   const Real width = Real(high) - Real(low);
   Integrals<Real> result;
-  const auto coarse_at = [&](int, const Real& offset) { return piece.lambda(low, offset, nullptr); };
-  const auto fine_at = [&](int, const Real& offset) { return piece.lambda(low, offset, &result.rounding); };
-  result.coarse = integral<Real>(kCoarse<Real>, width, coarse_at);
-  result.fine = integral<Real>(kFine<Real>, width, fine_at);
+  const auto at = [&](double* rounding) {
+    return [&piece, low, rounding](int, const Real& offset) { return piece.lambda(low, offset, rounding); };
+  };
+  result.coarse = integral<Real>(kCoarse<Real>, width, at(nullptr));
+  result.fine = integral<Real>(kFine<Real>, width, at(&result.rounding));
   return result;
+}
+
+template <class Real, class Piece>
+Integrals<Real> integrals(const Piece& piece, double low, double high) {
+  return integrals_point_by_point<Real>(piece, low, high);
 }
 
 // The points of both rules at once, where that is possible: the same numbers.
 template <>
 Integrals<double> integrals(const StretchPiece3& piece, double low, double high) {
-  constexpr int kCount = kCoarse<double> + kFine<double>;
+  constexpr std::size_t kFirst = kCoarse<double>, kCount = kFirst + kFine<double>;
   static_assert(kCount <= kLanes3);
   const double width = high - low;
   Lanes3 offsets, rounding;
-  for (std::size_t k = 0; k < kLanes3; ++k) {
-    const bool is_coarse = k < kCoarse<double>;
-    const LegendreRule<double>& rule = legendre_rule<double>(is_coarse ? kCoarse<double> : kFine<double>);
-    const std::size_t node = is_coarse ? k : std::min<std::size_t>(k - kCoarse<double>, kFine<double> - 1);
-    offsets[k] = rule.node[node] * width;
-  }
+  for (std::size_t k = 0; k < kLanes3; ++k)
+    offsets[k] = width * (k < kFirst ? legendre_rule<double>(kCoarse<double>).node[k]
+                                     : legendre_rule<double>(kFine<double>).node[std::min(k, kCount - 1) - kFirst]);
   VectorLanes3 lambda;
-  if (!sum_of_close_arcs(piece.arcs, piece.corners, low, offsets, lambda, rounding)) {
-    Integrals<double> result;
-    const auto at = [&](double* lost) {
-      return [&piece, low, lost](int, double offset) { return piece.lambda(low, offset, lost); };
+  if (!sum_of_close_arcs(piece.arcs, piece.corners, low, offsets, lambda, rounding))
+    return integrals_point_by_point<double>(piece, low, high);
+  const auto lanes_from = [&](std::size_t first) {
+    return [&lambda, first](int node, double) {
+      const std::size_t k = first + static_cast<std::size_t>(node);
+      return Direction3{lambda.x[k], lambda.y[k], lambda.z[k]};
     };
-    result.coarse = integral<double>(kCoarse<double>, width, at(nullptr));
-    result.fine = integral<double>(kFine<double>, width, at(&result.rounding));
-    return result;
-  }
-  const auto lane = [&](std::size_t k) { return Direction3{lambda.x[k], lambda.y[k], lambda.z[k]}; };
-  const auto from = [&](int first) {
-    return [&lane, first](int k, double) { return lane(static_cast<std::size_t>(first + k)); };
   };
-  return {integral<double>(kCoarse<double>, width, from(0)),
-          integral<double>(kFine<double>, width, from(kCoarse<double>)),
-          *std::max_element(rounding.begin() + kCoarse<double>, rounding.begin() + kCount)};
+  return {integral<double>(kCoarse<double>, width, lanes_from(0)),
+          integral<double>(kFine<double>, width, lanes_from(kFirst)),
+          *std::max_element(rounding.begin() + kFirst, rounding.begin() + kCount)};
 }
 
 }  // namespace
