@@ -5,10 +5,17 @@
 #include "kernel/version.h"
 
 namespace hottel {
+namespace {
+
+// Raised where numbers change within a version: what was kept before is not taken.
+constexpr std::uint64_t kRevisionOfNumbers = 2;
+
+}  // namespace
 
 StoreKey::StoreKey(std::string_view kind) {
   add(kind);
   add(kVersion);
+  add_count(kRevisionOfNumbers);
 }
 
 void StoreKey::add(std::string_view text) {

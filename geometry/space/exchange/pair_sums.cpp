@@ -112,8 +112,13 @@ class Measuring {
   void measure_free(PairRow3& row, const Part& a, const Part& b, Found& found, ExchangeReport3& counts) const {
     if (b.patch.is_sky() || !table_.is_partly_covered(a.label) || !table_.is_partly_covered(b.label))
       return measure(row, a, b, found, counts);
+    const auto is_of_one_side = [&](const Part& part) {
+      return part.patch.surface == b.patch.surface && part.is_back == b.is_back;
+    };
+    // All that is free of a side, once.
+    if (&*std::ranges::find_if(table_.parts(b.label), is_of_one_side) != &b) return;
     for (const Part& free : table_.free_parts(b.label))
-      if (free.patch.surface == b.patch.surface && free.is_back == b.is_back) measure(row, a, free, found, counts);
+      if (is_of_one_side(free)) measure(row, a, free, found, counts);
   }
 
   void measure(PairRow3& row, const Part& a, const Part& b, Found& found, ExchangeReport3& counts) const {
