@@ -69,11 +69,9 @@ Planned plan_of(const PlanOptions& options, Scene3 scene) {
   const std::uint64_t cells = grid ? std::uint64_t{grid->nu} * grid->nv : 0;
   Planned result{nullptr, memory_of(options, scene, cells)};
   if (is_had(result.memory))
-    result.effects =
-        Simulation3(std::move(scene), {.plan = {.everything = false,
-                                                .grid_cells = cells,
-                                                .sky_by_closure = options.sky.in_space() == SkyBy::kClosure}})
-            .plan();
+    result.effects = Simulation3(std::move(scene), {.factors = {.sky = options.sky.in_space()},
+                                                    .plan = {.everything = false, .grid_cells = cells}})
+                         .plan();
   return result;
 }
 

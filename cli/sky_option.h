@@ -1,4 +1,4 @@
-// --sky: how it is told what is seen of the sky.
+// --sky: whether the sky's factors are integrated, or what rows leave.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,9 +13,9 @@ struct SkyOption {
 
   // Adds the option to the command line of a command. REQUIRES that this outlives the command.
   void add_to(CLI::App& command);
-  // What is asked of a scene in space. Throws UsageError where it is asked of a method that is not exact.
+  // The choice for a scene in space. Throws UsageError where the user makes one for a method that is not exact.
   SkyBy in_space(const std::string& method = "exact") const;
-  // Throws UsageError where it is asked of a scene in the plane.
+  // Throws UsageError where the user makes a choice for a scene in the plane.
   void refuse_in_plane() const;
 };
 

@@ -121,8 +121,7 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) 
           .light = {.grid = grid, .painter = options.no_picture ? nullptr : grid_painter_3(picture)},
           .lights = light_test_of(options, scene),
           .plan = {.everything = options.simulate == "everything",
-                   .grid_cells = grid ? std::uint64_t{grid->nu} * grid->nv : 0,
-                   .sky_by_closure = options.sky.in_space(options.method) == SkyBy::kClosure}};
+                   .grid_cells = grid ? std::uint64_t{grid->nu} * grid->nv : 0}};
 }
 
 }  // namespace

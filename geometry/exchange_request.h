@@ -8,7 +8,7 @@
 
 namespace hottel {
 
-// How it is told what an element sees of the sky.
+// How an element's factor to the sky is found.
 enum class SkyBy : unsigned char {
   kIntegral,  // it is measured as all others are
   kClosure,   // it is what all others leave of the area: SkyByClosure says of which rows

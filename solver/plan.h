@@ -22,7 +22,6 @@ struct PlannedEffect {
 struct PlanRequest {
   bool everything = false;       // --simulate everything: every effect is used, whatever the scene says
   std::uint64_t grid_cells = 0;  // cells of the illumination grid; 0: none is wanted
-  bool sky_by_closure = false;   // in space: SkyBy::kClosure
   friend bool operator==(const PlanRequest&, const PlanRequest&) = default;
 };
 

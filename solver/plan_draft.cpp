@@ -49,10 +49,10 @@ void PlanDraft::add_back_faces() {
       "no back has a material: backs are black and have no row");
 }
 
-void PlanDraft::add_sky(bool is_one_room, double seconds) {
+void PlanDraft::add_sky(bool is_one_room, double seconds, bool is_by_closure) {
   const std::string why =
       scene_.sky_emission.is_zero() ? "the scene is not promised to be closed; the sky is dark" : "the sky emits";
-  add(Plan::kSky, !is_one_room && !scene_.closed, why + (request_.sky_by_closure ? "; told by closure" : ""),
+  add(Plan::kSky, !is_one_room && !scene_.closed, why + (is_by_closure ? "; told by closure" : ""),
       is_one_room ? "one closed room" : "the scene is promised to be closed", seconds);
 }
 

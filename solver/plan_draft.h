@@ -31,7 +31,7 @@ class PlanDraft {
 
   // Those of the scene's table. is_one_room: one closed room in which every face is seen.
   void add_back_faces();
-  void add_sky(bool is_one_room, double seconds);
+  void add_sky(bool is_one_room, double seconds, bool is_by_closure = false);
   void add_subdivision();
   void add_channels();
   void add_interreflection(double unknowns, double entries);  // of the matrix, that are not 0

@@ -170,7 +170,7 @@ void add_light(const Scene3& scene, const PlanRequest& request, std::uint64_t ro
 
 }  // namespace
 
-Plan plan_scene(const PreparedScene3& prepared, const PlanRequest& request) {
+Plan plan_scene(const PreparedScene3& prepared, const PlanRequest& request, SkyBy sky) {
   const Scene3& scene = prepared.scene;
   const Arrangement3& arrangement = prepared.arrangement();
   const Blockers3& blockers = prepared.blockers();
@@ -192,9 +192,9 @@ Plan plan_scene(const PreparedScene3& prepared, const PlanRequest& request) {
                       : "no face has anything before it",
             hides ? pairs * hiding->seconds_of_a_pair() : 0);
   draft.add_back_faces();
-  const double under_sky =
-      static_cast<double>(request.sky_by_closure ? faces.rows() / kRowsOfASkyCheck + 1 : faces.rows());
-  draft.add_sky(is_room, sees_sky ? under_sky * hiding->seconds_under_sky() : 0);
+  const bool is_by_closure = sky == SkyBy::kClosure;
+  const double under_sky = static_cast<double>(is_by_closure ? faces.rows() / kRowsOfASkyCheck + 1 : faces.rows());
+  draft.add_sky(is_room, sees_sky ? under_sky * hiding->seconds_under_sky() : 0, is_by_closure);
   draft.add_subdivision();
   add_groups(scene, draft);
   draft.add_channels();

@@ -1,6 +1,7 @@
 // The plan of a scene in space.
 #pragma once
 
+#include "geometry/exchange_request.h"
 #include "geometry/space/exchange/prepared_scene.h"
 #include "solver/plan.h"
 
@@ -15,6 +16,6 @@ namespace hottel {
 //       surfaces may stand between some of these, and between some elements and the sky
 //
 // COST: as nothing_between.h says, and some milliseconds; nothing is computed of the light itself.
-Plan plan_scene(const PreparedScene3& prepared, const PlanRequest& request);
+Plan plan_scene(const PreparedScene3& prepared, const PlanRequest& request, SkyBy sky = SkyBy::kIntegral);
 
 }  // namespace hottel

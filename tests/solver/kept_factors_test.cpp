@@ -1,8 +1,6 @@
 // Factors from a store against factors without one: bit for bit.
 #include <gtest/gtest.h>
 
-#include <bit>
-#include <cmath>
 #include <filesystem>
 #include <random>
 
@@ -15,6 +13,7 @@
 #include "solver/space/methods/method_catalogue.h"
 #include "solver/space/simulation/simulation.h"
 #include "solver/store.h"
+#include "tests/same_matrix.h"
 #include "tests/sanitizers.h"
 #include "tests/temporary_folder.h"
 
@@ -29,32 +28,6 @@ class StoreFile {
  private:
   TemporaryFolder folder_;
 };
-
-bool is_same(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
-}
-
-// Everything that a matrix says.
-void expect_same(const ExchangeMatrix& a, const ExchangeMatrix& b) {
-  ASSERT_EQ(a.size(), b.size());
-  ASSERT_EQ(a.entry_count(), b.entry_count());
-  EXPECT_EQ(a.guarantee(), b.guarantee());
-  std::size_t different = 0;
-  for (std::uint32_t i = 0; i < a.size(); ++i) {
-    ASSERT_EQ(a.row(i).size(), b.row(i).size());
-    ASSERT_EQ(a.measures(i).size(), b.measures(i).size());
-    EXPECT_EQ(a.elements()[i].name, b.elements()[i].name);
-    for (std::size_t k = 0; k < a.row(i).size(); ++k) {
-      const FactorEntry &x = a.row(i)[k], &y = b.row(i)[k];
-      const Enclosure p = a.bounds(i, k), q = b.bounds(i, k);
-      different += x.to != y.to || !is_same(x.factor.value, y.factor.value) || x.factor.side != y.factor.side ||
-                   !is_same(x.visibility, y.visibility) || !is_same(p.lower, q.lower) || !is_same(p.upper, q.upper) ||
-                   a.guarantee(i, k) != b.guarantee(i, k) ||
-                   (!a.measures(i).empty() && !is_same(a.measures(i)[k], b.measures(i)[k]));
-    }
-  }
-  EXPECT_EQ(different, 0U);
-}
 
 Scene2 plane_scene(const std::string& name) { return read_scene_2(HOTTEL_SOURCE_DIR "/scenes/" + name); }
 Scene3 space_scene(const std::string& name) { return read_scene_3(HOTTEL_SOURCE_DIR "/scenes/space/" + name); }

@@ -11,8 +11,7 @@ namespace hottel {
 // Returns S, in squares of local coordinates times 2^-exponent, by quadrature over both areas; nothing where the
 // patches are not so distant that a few nodes are enough (about five times their size).
 //
-//   (1) |value - S| <= error: proven. What quadrature may be off by is some 1e-14 of S, or about `relative` times S
-//   where
+//   (1) |value - S| <= error: proven. Quadrature may be off by some 1e-14 of S, or by about `relative` times S where
 //       that is more
 //   (2) no number is subtracted from another of about its size: the error is some 1e-14 of S where the patches face
 //       each other, and more where one of them is almost in the plane of the other

@@ -13,6 +13,7 @@
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/exchange_memory.h"
 #include "geometry/space/exchange/groups_alone.h"
+#include "geometry/space/exchange/local_vector.h"
 #include "geometry/space/exchange/pair_names.h"
 #include "geometry/space/exchange/pair_sums.h"
 #include "geometry/space/exchange/prepared_scene.h"
@@ -179,18 +180,15 @@ bool is_enclosed(const PairSum3& pair, double most) {
          pair.bounds.contains(pair.measure);
 }
 
-// The largest |row sum - 1|; sums of doubles carry their rounding along.
+// The largest |row sum - 1|.
 double closure_defect(const ExchangeMatrix& matrix) {
   double most = 0;
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;
-    double sum = -1, rest = 0;
-    for (const FactorEntry& entry : matrix.row(i)) {
-      const double next = sum + entry.factor.value, part = next - sum;
-      rest += (sum - (next - part)) + (entry.factor.value - part);
-      sum = next;
-    }
-    most = std::max(most, std::fabs(sum + rest));
+    CompensatedSum<double> sum;
+    sum.add(-1);
+    for (const FactorEntry& entry : matrix.row(i)) sum.add(entry.factor.value);
+    most = std::max(most, std::fabs(sum.value()));
   }
   return most;
 }

@@ -142,10 +142,10 @@ std::optional<MovingPlanes3::Factors> MovingPlanes3::factors(PlaneId3 a, PlaneId
   const std::array<PlaneId3, 3> ids{a, b, c};
   for (std::size_t k = 0; k < 3; ++k) {
     const PlaneId3 first = ids[k], second = ids[(k + 1) % 3], third = ids[(k + 2) % 3];
-    const Plane &p = planes_[first.index()], &q = planes_[second.index()];
-    if (p.kind != Kind::kLine || q.kind != Kind::kLine) continue;
-    if (q.a == p.a || q.a == p.b) return Factors{{third, first}, {q.a, q.b}};
-    if (q.b == p.a || q.b == p.b) return Factors{{third, first}, {q.b, q.a}};
+    const Plane& line = planes_[second.index()];
+    if (planes_[first.index()].kind != Kind::kLine || line.kind != Kind::kLine) continue;
+    const std::uint32_t common = shared_point(first, second);
+    if (common != MovingCorner3::kNoPoint) return Factors{{third, first}, {common, line.a == common ? line.b : line.a}};
   }
   return {};
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geometry/name.h"
+#include "geometry/space/exchange/local_vector.h"
 #include "kernel/rational.h"
 #include "kernel/support/failure.h"
 
@@ -21,14 +22,12 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // What an element's pairs with others leave of its area.
 struct Rest {
-  PairSum3 sky;        // as its pair with the sky
-  double carried = 0;  // what rounding took from sky.measure
-  double allowed = 0;  // what the pairs may be off together: the tolerance of the smaller area each
+  PairSum3 sky;                // as its pair with the sky
+  CompensatedSum<double> sum;  // its measure
+  double allowed = 0;          // what the pairs may be off together: the tolerance of the smaller area each
 
   void take(const PairSum3& pair, double may_be_off) {
-    const double next = sky.measure - pair.measure, part = next - sky.measure;
-    carried += (sky.measure - (next - part)) - (pair.measure + part);
-    sky.measure = next;
+    sum.add(-pair.measure);
     sky.error += pair.error;
     allowed += may_be_off;
     sky.bounds = {std::nextafter(sky.bounds.lower - pair.bounds.upper, -kInfinity),
@@ -42,7 +41,8 @@ std::vector<Rest> rest_of_rows(const ElementTable3& table, double tolerance, std
   std::vector<Rest> rest(table.count());
   for (std::uint32_t i = 0; i < table.count(); ++i) {
     const Rounded& area = table.extent(i);
-    rest[i].sky = {.i = i, .j = table.sky(), .measure = area.value, .error = kRounding * area.value};
+    rest[i].sky = {.i = i, .j = table.sky(), .error = kRounding * area.value};
+    rest[i].sum.add(area.value);
     rest[i].sky.bounds = area.enclosure();
   }
   const auto take = [&](const PairSum3& pair) {
@@ -62,12 +62,8 @@ std::vector<Rest> rest_of_rows(const ElementTable3& table, double tolerance, std
     std::ranges::sort(sorted, {}, [&](const PairSum3* pair) { return key(*pair); });
     for (const PairSum3* const pair : sorted) take(*pair);
   }
-  for (Rest& left : rest) left.sky.measure += left.carried;
+  for (Rest& left : rest) left.sky.measure = left.sum.value();
   return rest;
-}
-
-std::vector<Rest> rest_of_rows(const ElementTable3& table, const std::vector<PairSum3>& pairs) {
-  return rest_of_rows(table, 0, pairs);
 }
 
 // Whether what is left is the sky's beyond doubt.
@@ -81,10 +77,19 @@ double over_area(const ElementTable3& table, const Rest& left, double measure) {
   return measure / table.extent(left.sky.i).value;
 }
 
-// Puts them among the others. Both by (i, j), no pair is in both.
-void merge(std::vector<PairSum3> some, std::vector<PairSum3>& pairs) {
+// Gives some rows what is left in place of their pairs with the sky, or of failures to measure these.
+void put_rest(const ElementTable3& table, const std::vector<Rest>& rest, const std::vector<char>& of_rows,
+              PairSums3& sums) {
+  std::vector<PairSum3>& pairs = sums.pairs;
+  const auto is_replaced = [&](const auto& pair) { return pair.j == table.sky() && of_rows[pair.i] != 0; };
+  std::erase_if(sums.failures, is_replaced);
+  std::erase_if(pairs, is_replaced);
   const auto middle = static_cast<std::ptrdiff_t>(pairs.size());
-  pairs.insert(pairs.end(), some.begin(), some.end());
+  for (std::uint32_t i = 0; i < table.count(); ++i) {
+    if (of_rows[i] == 0) continue;
+    pairs.push_back(rest[i].sky);
+    pairs.back().bounds.lower = std::max(0.0, pairs.back().bounds.lower);
+  }
   std::inplace_merge(pairs.begin(), pairs.begin() + middle, pairs.end(),
                      [](const PairSum3& a, const PairSum3& b) { return std::pair(a.i, a.j) < std::pair(b.i, b.j); });
 }
@@ -114,7 +119,7 @@ void compare(const ElementTable3& table, double tolerance, const Rest& left, con
 }  // namespace
 
 void enclose_sky(const ElementTable3& table, std::vector<PairSum3>& pairs) {
-  const std::vector<Rest> rest = rest_of_rows(table, pairs);
+  const std::vector<Rest> rest = rest_of_rows(table, 0, pairs);
   for (PairSum3& pair : pairs) {
     if (pair.j != table.sky()) continue;
     const Enclosure& left = rest[pair.i].sky.bounds;
@@ -135,21 +140,16 @@ void take_rest_for_sky(const ElementTable3& table, double tolerance, PairSums3& 
     has_other_failure[failure.i] = has_other_failure[failure.j] = 1;
   }
   if (std::find(wants.begin(), wants.end(), 1) == wants.end()) return;
-  std::vector<Rest> rest = rest_of_rows(table, sums.pairs);
-  const auto is_known = [&](std::uint32_t i) {
-    const PairSum3& left = rest[i].sky;
-    return wants[i] != 0 && has_other_failure[i] == 0 && left.measure > left.error &&
-           left.error <= tolerance * table.extent(i).value;
-  };
-  std::erase_if(sums.failures, [&](const FailedPair3& f) { return f.j == table.sky() && is_known(f.i); });
-  std::erase_if(sums.pairs, [&](const PairSum3& pair) { return pair.j == table.sky() && is_known(pair.i); });
-  std::vector<PairSum3> skies;
+  const std::vector<Rest> rest = rest_of_rows(table, tolerance, sums.pairs);
+  std::vector<char> is_known(table.count(), 0);
   for (std::uint32_t i = 0; i < table.count(); ++i) {
-    if (!is_known(i)) continue;
-    skies.push_back(rest[i].sky);
-    skies.back().bounds.lower = std::max(0.0, skies.back().bounds.lower);
+    const PairSum3& left = rest[i].sky;
+    is_known[i] = wants[i] != 0 && has_other_failure[i] == 0 && left.measure > left.error &&
+                          left.error <= tolerance * table.extent(i).value
+                      ? 1
+                      : 0;
   }
-  merge(std::move(skies), sums.pairs);
+  put_rest(table, rest, is_known, sums);
 }
 
 std::vector<char> checks_of_sky(const ElementTable3& table) {
@@ -178,7 +178,6 @@ SkyByClosure take_sky_by_closure(const ElementTable3& table, double tolerance, P
   for (const FailedPair3& failure : sums.failures)
     if (failure.j == table.sky()) has_failed[failure.i] = 1;
   SkyByClosure told;
-  std::vector<PairSum3> skies;
   for (std::uint32_t i = 0; i < table.count(); ++i) {
     if (!table.has_row(i)) continue;
     if (is_checked[i] != 0) {
@@ -187,16 +186,12 @@ SkyByClosure take_sky_by_closure(const ElementTable3& table, double tolerance, P
       ++told.integrated;
     } else {
       has_rest[i] = 1;
-      skies.push_back(rest[i].sky);
-      skies.back().bounds.lower = std::max(0.0, skies.back().bounds.lower);
+      ++told.told;
       told.max_error = std::max(told.max_error, over_area(table, rest[i], rest[i].sky.error));
       told.within = std::max({told.within, told.max_error, over_area(table, rest[i], rest[i].allowed)});
     }
   }
-  told.told = skies.size();
-  std::erase_if(sums.failures, [&](const FailedPair3& f) { return f.j == table.sky() && has_rest[f.i] != 0; });
-  std::erase_if(sums.pairs, [&](const PairSum3& pair) { return pair.j == table.sky() && has_rest[pair.i] != 0; });
-  merge(std::move(skies), sums.pairs);
+  put_rest(table, rest, has_rest, sums);
   return told;
 }
 

@@ -24,9 +24,8 @@ void enclose_sky(const ElementTable3& table, std::vector<PairSum3>& pairs);
 std::vector<char> checks_of_sky(const ElementTable3& table);
 
 // Returns whose pairs with the sky have to be integrated besides, by label: those whose other pairs leave no more of
-// the area than they may be off, each by the tolerance of the smaller area, so that it is decided by signs whether they
-// see the sky. REQUIRES all pairs of
-// elements with rows but those with the sky, which are passed over, in any order.
+// the area than they may be off, each by the tolerance of the smaller area, so that signs decide whether they see the
+// sky. REQUIRES all pairs of elements with rows; those with the sky are passed over. In any order.
 std::vector<char> skies_to_integrate(const ElementTable3& table, double tolerance, std::span<const PairSum3> pairs);
 
 // Gives all other rows what is left of their areas, and compares the integrals of those that are checked. What is

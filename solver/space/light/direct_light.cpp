@@ -73,7 +73,7 @@ std::vector<LitPart3> DirectLight3::lit_parts() const {
   std::vector<LitPart3> result;
   if (is_in_solid_) return result;
   for (std::size_t k = 0; k < map_.size(); ++k) {
-    const BeamPower3::Meets meets = sun_ ? BeamPower3::Meets::kAll : beam_.meets(map_.cone(k));
+    const BeamPower3::Meets meets = beam_.meets(map_.cone(k));
     if (meets == BeamPower3::Meets::kNothing) continue;
     const Face side = map_.map().fragments[k].face;
     result.push_back({side, prepared_.arrangement().owner(side.surface, side.is_back), map_.corners_on_face(k),

@@ -37,9 +37,8 @@ struct LitPart3 {
 //   (3) lit_parts() are the parts of faces with a free way from the light that the beam meets: they share no area, and
 //       the irradiance is smooth on each but for the border of the beam. Borders of shadows are their edges
 //   (4) a light in a solid lights nothing. At the light itself the values are infinite
-//   (5) of a sun values are for the irradiance 1 of what faces it: mean_irradiance(x) is 1/4 where the ray to x is
-//   free,
-//       irradiance(x, m) the cosine there, and all lit parts are within the beam
+//   (5) of a sun values are for the irradiance 1 of what faces it: mean_irradiance(x) is 1/4 where no surface stops the
+//       ray to x, irradiance(x, m) the cosine there, and all lit parts are within the beam
 //
 // For several threads at once. REQUIRES that the scene outlives this, and a beam without a problem.
 // COST: that of an exact map, and of a finder of points in it; then some microseconds a point.

@@ -54,9 +54,8 @@ LightShares3 light_shares(const PreparedScene3& prepared, const ElementTable3& t
 // Returns the area of what a sun lights of each element, across its rays, within bounds: irradiance times area is what
 // falls on it. Labels are those of the table.                                                  [scene unit squared]
 //
-//   (1) bounds are proven, and at most some 2^-50 of the area wide; {0, 0} exactly where no ray comes: hidden, along
-//   the
-//       rays, turned away
+//   (1) bounds are proven, and at most some 2^-50 of the area wide; {0, 0} exactly where no ray arrives: hidden, along
+//       the rays, turned away
 //
 // REQUIRES the table of the prepared scene, and the map of a sun. Throws Interrupted when asked to stop.
 // COST: for each fragment of the map, and each element in it, a determinant of integers a corner.

@@ -42,16 +42,15 @@ struct Circle {
 class LitPatches3 {
  public:
   LitPatches3(const PreparedScene3& prepared, const Light& light, const LightPlace3& place)
-      : map_(light.is_sun() ? ExactMap3::of_sun(prepared.blockers(), place.direction)
-                            : ExactMap3(prepared.blockers(), place.position)),
-        beam_(light.is_sun() ? Beam3{} : beam_of(light, place)),
+      : map_(exact_map_of(prepared, light, place)),
+        beam_(beam_of(light, place)),
         is_in_solid_(!light.is_sun() && prepared.arrangement().solids().around(place.position).has_value()) {
     for (std::size_t f = 0; f < map_.size(); ++f) {
       const PointMap3::Fragment& fragment = map_.map().fragments[f];
       std::vector<Direction3> corners;
       for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) corners.push_back(map_.map().corners[c].direction);
       circles_.push_back(Circle::around(corners));
-      meets_.push_back(map_.sun() ? BeamPower3::Meets::kAll : beam_.meets(map_.cone(f)));
+      meets_.push_back(beam_.meets(map_.cone(f)));
       is_seen_.insert(fragment.face.number());
     }
   }

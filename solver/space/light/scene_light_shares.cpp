@@ -29,8 +29,13 @@ void keep(std::mutex& mutex, std::vector<Ptr>& list, const Ptr& made, std::size_
 }  // namespace
 
 Beam3 beam_of(const Light& light, const LightPlace3& place) {
-  if (light.type == LightType::kPoint) return {};
+  if (light.type != LightType::kSpot) return {};
   return {place.direction, light.focus, light.falloff};
+}
+
+ExactMap3 exact_map_of(const PreparedScene3& prepared, const Light& light, const LightPlace3& place) {
+  return light.is_sun() ? ExactMap3::of_sun(prepared.blockers(), place.direction)
+                        : ExactMap3(prepared.blockers(), place.position);
 }
 
 bool is_lit_alike_3(const Light& a, const LightPlace3& at, const Light& b, const LightPlace3& there) {
@@ -69,7 +74,7 @@ std::vector<LightShares> LitElements3::shares(const Scene3& scene) const {
 
 LightShares LitElements3::compute(const Scene3& scene, std::size_t light) const {
   const LightPlace3& place = scene.light_places[light];
-  if (scene.lights[light].is_sun()) return compute_sun(place);
+  if (scene.lights[light].is_sun()) return compute_sun(scene.lights[light], place);
   const LightShares3 shares = naming_file(scene.file, [&] {
     return light_shares(*prepared_, table_, *map_from(place.position), BeamPower3(beam_of(scene.lights[light], place)));
   });
@@ -83,9 +88,9 @@ LightShares LitElements3::compute(const Scene3& scene, std::size_t light) const 
   return result;
 }
 
-LightShares LitElements3::compute_sun(const LightPlace3& place) const {
+LightShares LitElements3::compute_sun(const Light& light, const LightPlace3& place) const {
   LightShares result;
-  result.of_element = sunlit_areas(*prepared_, table_, ExactMap3::of_sun(prepared_->blockers(), place.direction));
+  result.of_element = sunlit_areas(*prepared_, table_, exact_map_of(*prepared_, light, place));
   result.whole = {0, 0};
   for (const Enclosure& area : result.of_element) result.whole = sum_of_nonnegative(result.whole, area);
   return result;

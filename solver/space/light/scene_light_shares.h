@@ -14,8 +14,11 @@
 
 namespace hottel {
 
-// The beam of a light as it stands. REQUIRES no sun.
+// The beam of a light as it stands; of a sun, which has none, the one that holds all directions.
 Beam3 beam_of(const Light& light, const LightPlace3& place);
+
+// What a light sees as it stands.
+ExactMap3 exact_map_of(const PreparedScene3& prepared, const Light& light, const LightPlace3& place);
 
 // Whether two lights shine on the same: they stand at one place, and their beams are the same; of suns, their
 // directions. Neither power nor motion matters.
@@ -64,7 +67,7 @@ class LitElements3 {
     std::vector<std::shared_ptr<const KnownShares>> shares;
   };
   MapPtr map_from(const Point3& position) const;
-  LightShares compute_sun(const LightPlace3& place) const;
+  LightShares compute_sun(const Light& light, const LightPlace3& place) const;
   LightShares compute(const Scene3& scene, std::size_t light) const;
 
   std::shared_ptr<const PreparedScene3> prepared_;

@@ -59,10 +59,9 @@ class Tester {
  public:
   Tester(const PreparedScene3& prepared, const Light& light, const LightPlace3& place, LightTest test)
       : vertices_(prepared.blockers().vertices()),
-        map_(light.is_sun() ? ExactMap3::of_sun(prepared.blockers(), place.direction)
-                            : ExactMap3(prepared.blockers(), place.position)),
+        map_(exact_map_of(prepared, light, place)),
         finder_(map_),
-        beam_(light.is_sun() ? Beam3{} : beam_of(light, place)),
+        beam_(beam_of(light, place)),
         sun_(place.direction),
         test_(test) {}
 
@@ -88,9 +87,7 @@ class Tester {
     for (const Point3& corner : patch.corners) lit += passes(corner) ? 1 : 0;
     return static_cast<double>(lit) / static_cast<double>(patch.corners.size());
   }
-  bool passes(const Point3& point) const {
-    return (map_.sun() || beam_.side(map_.toward(point)) >= 0) && finder_.sees(point);
-  }
+  bool passes(const Point3& point) const { return beam_.side(map_.toward(point)) >= 0 && finder_.sees(point); }
 
   const Vertices3& vertices_;
   ExactMap3 map_;

@@ -133,10 +133,11 @@ bool are_lit_alike(const Scene3& a, const Scene3& b) {
   return true;
 }
 
-StagePtr<Plan> plan_stage(const StagePtr<PreparedScene3>& prepared, const PlanRequest& request) {
-  return std::make_shared<Stage<Plan>>("plan", [prepared, request](const StageProgress& progress) {
-    return plan_scene(*prepared->get(progress), request);
-  });
+StagePtr<Plan> plan_stage(const StagePtr<PreparedScene3>& prepared, const SimulationRequest3& request) {
+  return std::make_shared<Stage<Plan>>(
+      "plan", [prepared, plan = request.plan, sky = request.factors.sky](const StageProgress& progress) {
+        return plan_scene(*prepared->get(progress), plan, sky);
+      });
 }
 
 }  // namespace
@@ -168,7 +169,9 @@ struct Simulation3::Version {
     const bool keeps_system = keeps_factors && other->request.system == request.system;
     arranged = other != nullptr ? other->arranged : prepared_stage(scene);
     prepared = other != nullptr ? other->prepared : arranged;
-    plan = other != nullptr && other->request.plan == request.plan ? other->plan : plan_stage(prepared, request.plan);
+    const bool keeps_plan =
+        other != nullptr && other->request.plan == request.plan && other->request.factors.sky == request.factors.sky;
+    plan = keeps_plan ? other->plan : plan_stage(prepared, request);
     if (keeps_factors) {
       measured = other->measured;
       factors = other->factors;
@@ -200,7 +203,7 @@ struct Simulation3::Version {
         has_same_shape && std::ranges::equal(other.scene->surfaces, scene->surfaces, &Surface::is_divided_alike);
     arranged = are_alike ? other.arranged : prepared_stage(scene);
     prepared = are_alike ? prepared_stage(scene, arranged) : arranged;
-    plan = plan_stage(prepared, request.plan);
+    plan = plan_stage(prepared, request);
     if (!has_same_elements) {
       set_factors();
     } else if (are_alike) {

@@ -12,24 +12,10 @@
 #include "geometry/space/scene/division.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/interrupt.h"
+#include "tests/same_matrix.h"
 
 namespace hottel::exchange_rows_test {
 namespace {
-
-void expect_same(const ExchangeMatrix& a, const ExchangeMatrix& b) {
-  ASSERT_EQ(a.entry_count(), b.entry_count());
-  for (std::uint32_t i = 0; i < a.size(); ++i) {
-    ASSERT_EQ(a.row(i).size(), b.row(i).size());
-    for (std::size_t k = 0; k < a.row(i).size(); ++k) {
-      EXPECT_EQ(a.row(i)[k].to, b.row(i)[k].to);
-      EXPECT_EQ(a.row(i)[k].factor, b.row(i)[k].factor);
-      EXPECT_EQ(a.row(i)[k].visibility, b.row(i)[k].visibility);
-      EXPECT_EQ(a.bounds(i, k).lower, b.bounds(i, k).lower);
-      EXPECT_EQ(a.bounds(i, k).upper, b.bounds(i, k).upper);
-      EXPECT_EQ(a.guarantee(i, k), b.guarantee(i, k));
-    }
-  }
-}
 
 // A box in the open before a wall with a mask, and one closed room.
 std::vector<Scene3> scenes() {

@@ -15,6 +15,7 @@
 #include "geometry/space/scene/division.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "tests/same_matrix.h"
 
 namespace hottel::sky_by_closure_test {
 namespace {
@@ -42,19 +43,6 @@ Scene3 open_box() {
                                "open box");
   divide_into(scene, 2);
   return scene;
-}
-
-void expect_same(const ExchangeMatrix& a, const ExchangeMatrix& b) {
-  ASSERT_EQ(a.entry_count(), b.entry_count());
-  for (std::uint32_t i = 0; i < a.size(); ++i) {
-    ASSERT_EQ(a.row(i).size(), b.row(i).size());
-    for (std::size_t k = 0; k < a.row(i).size(); ++k) {
-      EXPECT_EQ(a.row(i)[k].to, b.row(i)[k].to);
-      EXPECT_EQ(a.row(i)[k].factor, b.row(i)[k].factor);
-      EXPECT_EQ(a.bounds(i, k), b.bounds(i, k));
-      EXPECT_EQ(a.guarantee(i, k), b.guarantee(i, k));
-    }
-  }
 }
 
 double sum_of(std::span<const FactorEntry> row) {

@@ -230,15 +230,20 @@ TEST(TheSky, OfAGroundUnderABox) {
   }
 }
 
-// Through a slit so narrow that what passes is a billionth.
-TEST(TheSky, ThroughASlit) {
-  const Rational slit = ratio(1, 1'000'000'000), half = ratio(1, 2);
+// A cube, seen from within its floor, with a slit of this width across its ceiling.
+std::vector<Points> room_with_slit(const Rational& slit) {
+  const Rational half = ratio(1, 2);
   std::vector<Points> room = box({0, 0, 0}, {1, 1, 1});
   room.erase(room.begin() + 1);
   std::reverse(room[0].begin() + 1, room[0].end());
   room.push_back(level(1, 0, half, 0, 1));
   room.push_back(level(1, half + slit, 1, 0, 1));
-  const Scene scene(room);
+  return room;
+}
+
+// Through a slit so narrow that what passes is a billionth.
+TEST(TheSky, ThroughASlit) {
+  const Scene scene(room_with_slit(ratio(1, 1'000'000'000)));
   const double factor = scene.factor(0);
   EXPECT_GT(factor, 0.2e-9);
   EXPECT_LT(factor, 0.3e-9);
@@ -260,13 +265,8 @@ TEST(TheSky, WhereThingsAreInOnePlane) {
 // (quadrature of one closed form).
 TEST(TheSky, ThroughSlitsDownToABillionthOfABillionth) {
   for (const int exponent : {3, 6, 9, 12, 15, 18}) {
-    const Rational half = ratio(1, 2), slit = 1 / Rational(Integer("1" + std::string(exponent, '0')));
-    std::vector<Points> room = box({0, 0, 0}, {1, 1, 1});
-    room.erase(room.begin() + 1);
-    std::reverse(room[0].begin() + 1, room[0].end());
-    room.push_back(level(1, 0, half, 0, 1));
-    room.push_back(level(1, half + slit, 1, 0, 1));
-    const Scene scene(room);
+    const Rational slit = 1 / Rational(Integer("1" + std::string(exponent, '0')));
+    const Scene scene(room_with_slit(slit));
     const PairMeasure3 m = scene.sky(0);
     EXPECT_TRUE(m.problem.empty()) << m.problem;
     EXPECT_GT(m.bounds.upper, 0) << exponent;
