@@ -235,7 +235,8 @@ TEST(FactorStore, WaitsForWhomMakesIt) {
   std::thread maker([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     is_made = true;
-    sqlite3_exec(other, "COMMIT", nullptr, nullptr, nullptr);
+    // Where the other one looks at the file just now, it is refused, and asks again.
+    while (sqlite3_exec(other, "COMMIT", nullptr, nullptr, nullptr) == SQLITE_BUSY) std::this_thread::yield();
   });
   EXPECT_NO_THROW(open_factor_store(file));
   EXPECT_TRUE(is_made);
