@@ -1,0 +1,384 @@
+#include "geometry/plane/scene/patches.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "geometry/name.h"
+#include "geometry/planarity.h"
+#include "kernel/decimal.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+std::string text(const Point2& p) { return "(" + short_text(p.x) + ", " + short_text(p.y) + ")"; }
+
+Rational dot(const Edge2& a, const Edge2& b) {
+  return (a.to.x - a.from.x) * (b.to.x - b.from.x) + (a.to.y - a.from.y) * (b.to.y - b.from.y);
+}
+
+Rational squared_length(const Edge2& edge) { return dot(edge, edge); }
+
+// Where a point lies along an edge: the t of the point of its line that is nearest.
+Rational place_along(const Edge2& edge, const Point2& p) { return dot(edge, {edge.from, p}) / squared_length(edge); }
+
+Rational squared_distance_to_line(const Edge2& edge, const Point2& p) {
+  const Rational area = doubled_area(edge.from, edge.to, p);
+  return area * area / squared_length(edge);
+}
+
+Rational squared_distance(const Point2& a, const Point2& b) { return squared_length({a, b}); }
+
+// The point of an edge that is nearest to a point.
+Point2 nearest_on(const Edge2& edge, const Point2& p) {
+  return point_at(edge, std::clamp(place_along(edge, p), Rational(0), Rational(1)));
+}
+
+bool is_on_line(const Edge2& line, const Edge2& edge) {
+  return doubled_area(line.from, line.to, edge.from) == 0 && doubled_area(line.from, line.to, edge.to) == 0;
+}
+
+// An edge that a patch may lie on, and how far off its line the farther end of the patch is.
+struct Support {
+  Edge2 edge;  // as the patch has to look: turned round where it lies on the back
+  Rational squared_off;
+  bool looks_alike = true;
+};
+
+// What patches lie on, as far as one patch is asked about.
+class Bases {
+ public:
+  explicit Bases(const Scene2& scene) : scene_(scene), patches_(scene) {}
+
+  const PatchBases& patches() const { return patches_; }
+
+  // The edges that lie below some of a patch or beside it, the nearest line first; those that look as it does before
+  // those that do not.
+  std::vector<Support> supports(std::uint32_t patch) const {
+    const Edge2& own = scene_.edges[patch];
+    std::vector<Support> found;
+    for (const std::uint32_t s : patches_.under(patch)) {
+      Support support{as_it_has_to_look(patch, s), 0};
+      support.looks_alike = dot(support.edge, own) > 0;
+      const Rational from = place_along(support.edge, own.from), to = place_along(support.edge, own.to);
+      if (from == to || std::max(from, to) <= 0 || std::min(from, to) >= 1) continue;
+      support.squared_off =
+          std::max(squared_distance_to_line(support.edge, own.from), squared_distance_to_line(support.edge, own.to));
+      found.push_back(std::move(support));
+    }
+    std::ranges::stable_sort(found, [](const Support& a, const Support& b) {
+      if (a.looks_alike != b.looks_alike) return a.looks_alike;
+      return a.squared_off < b.squared_off;
+    });
+    return found;
+  }
+
+  // The parts of the way along an edge of its line that the base has, those that look the same way: merged, ascending.
+  std::vector<std::pair<Rational, Rational>> covered(std::uint32_t patch, const Edge2& along) const {
+    std::vector<std::pair<Rational, Rational>> parts, merged;
+    for (const std::uint32_t s : patches_.under(patch)) {
+      const Edge2 edge = as_it_has_to_look(patch, s);
+      if (dot(edge, along) > 0 && is_on_line(along, edge))
+        parts.emplace_back(place_along(along, edge.from), place_along(along, edge.to));
+    }
+    std::ranges::sort(parts);
+    for (auto& part : parts)
+      if (!merged.empty() && part.first <= merged.back().second)
+        merged.back().second = std::max(merged.back().second, part.second);
+      else
+        merged.push_back(std::move(part));
+    return merged;
+  }
+
+ private:
+  Edge2 as_it_has_to_look(std::uint32_t patch, std::uint32_t base) const {
+    const auto& [from, to] = scene_.edges[base];
+    return patches_.is_on_backs(patch) ? Edge2{to, from} : Edge2{from, to};
+  }
+
+  const Scene2& scene_;
+  const PatchBases patches_;
+};
+
+// Where two lines meet; nothing where they are parallel.
+std::optional<Point2> crossing(const Edge2& a, const Edge2& b) {
+  const Rational across =
+      doubled_area({0, 0}, {a.to.x - a.from.x, a.to.y - a.from.y}, {b.to.x - b.from.x, b.to.y - b.from.y});
+  if (across == 0) return std::nullopt;
+  return point_at(a,
+                  doubled_area(a.from, b.from, {a.from.x + b.to.x - b.from.x, a.from.y + b.to.y - b.from.y}) / across);
+}
+
+class Seater {
+ public:
+  Seater(Scene2& scene, const Rational& unit)
+      : scene_(scene), unit_(unit), bases_(scene), typed_(scene.edges), is_seated_(typed_.size(), 0) {}
+
+  void seat() {
+    const auto order = bases_.patches().outermost_first();
+    if (!order) return;
+    for (const std::uint32_t patch : *order) seat(patch);
+    for (std::uint32_t s = 0; s + 1 < scene_.edges.size(); ++s) join(s);
+    close_polylines();
+  }
+
+ private:
+  bool is_near(std::uint32_t patch, const Rational& squared_distance) const {
+    return is_within_planarity(squared_distance, squared_length(typed_[patch]), unit_);
+  }
+
+  void seat(std::uint32_t patch) {
+    Edge2& edge = scene_.edges[patch];
+    for (const Support& support : bases_.supports(patch)) {
+      if (!is_near(patch, support.squared_off)) continue;
+      const Edge2& line = support.edge;
+      if (support.squared_off != 0)
+        for (Point2* end : {&edge.from, &edge.to}) *end = point_at(line, place_along(line, *end));
+      if (support.looks_alike) end_with_base(patch, line);
+      is_seated_[patch] = 1;
+      return;
+    }
+  }
+
+  // What is beyond an end of the base by a little ends there.
+  void end_with_base(std::uint32_t patch, const Edge2& line) {
+    Edge2& edge = scene_.edges[patch];
+    const Rational from = place_along(line, edge.from), to = place_along(line, edge.to);
+    for (const auto& [low, high] : bases_.covered(patch, line)) {
+      if (high <= from || low >= to) continue;
+      move_a_little(patch, edge.from, point_at(line, std::max(from, low)));
+      move_a_little(patch, edge.to, point_at(line, std::min(to, high)));
+      return;
+    }
+  }
+
+  void move_a_little(std::uint32_t patch, Point2& point, const Point2& to) const {
+    if (is_near(patch, squared_distance(point, to))) point = to;
+  }
+
+  // Two pieces of a polyline meet again: on the line of both.
+  void meet(std::uint32_t s, std::uint32_t next) {
+    Point2 &end = scene_.edges[s].to, &begin = scene_.edges[next].from;
+    if (end == begin || typed_[s].to != typed_[next].from || is_seated_[s] == 0 || is_seated_[next] == 0) return;
+    const Point2 at = crossing(scene_.edges[s], scene_.edges[next]).value_or(end);
+    if (is_near(s, squared_distance(at, typed_[s].to)) || is_near(next, squared_distance(at, typed_[s].to)))
+      end = begin = at;
+  }
+  bool are_of_one_polyline(std::uint32_t s, std::uint32_t next) const {
+    const Surface &a = scene_.surfaces[s], &b = scene_.surfaces[next];
+    return a.on && b.on && a.group == b.group;
+  }
+  void join(std::uint32_t s) {
+    if (are_of_one_polyline(s, s + 1)) meet(s, s + 1);
+  }
+  void close_polylines() {
+    for (std::uint32_t first = 0, s = 0; s < scene_.edges.size(); ++s) {
+      if (!are_of_one_polyline(first, s)) first = s;
+      const bool is_last = s + 1 == scene_.edges.size() || !are_of_one_polyline(s, s + 1);
+      if (is_last && first < s && are_of_one_polyline(first, s)) meet(s, first);
+    }
+  }
+
+  Scene2& scene_;
+  const Rational& unit_;
+  const Bases bases_;
+  const std::vector<Edge2> typed_;
+  std::vector<char> is_seated_;  // by surface
+};
+
+// Says what is wrong with where patches lie.
+class Judge {
+ public:
+  explicit Judge(const Scene2& scene) : scene_(scene), bases_(scene) {}
+
+  void judge() const {
+    for (std::uint32_t s = 0; s < scene_.edges.size(); ++s)
+      if (bases_.patches().is_patch(s)) judge(s);
+  }
+
+ private:
+  [[noreturn]] void refuse(std::uint32_t patch, const std::string& what, const std::string& remedy) const {
+    throw InputError({scene_.file, scene_.surfaces[patch].line}, quoted_name(scene_.surfaces[patch].name) + " " + what,
+                     {remedy});
+  }
+  std::string base(std::uint32_t patch) const { return base_text(scene_.bases[*scene_.surfaces[patch].on]); }
+
+  void judge(std::uint32_t patch) const {
+    const std::vector<Support> supports = bases_.supports(patch);
+    const auto on_line = std::ranges::find_if(supports, [](const Support& s) { return s.squared_off == 0; });
+    if (on_line == supports.end()) refuse_off(patch, supports);
+    if (!on_line->looks_alike) refuse_turned(patch);
+    const Edge2& edge = scene_.edges[patch];
+    Rational reached = 0;
+    for (const auto& [low, high] : bases_.covered(patch, edge)) {
+      if (high <= reached) continue;
+      if (low > reached) refuse_beyond(patch, reached, std::min(low, Rational(1)));
+      reached = high;
+      if (reached >= 1) return;
+    }
+    refuse_beyond(patch, reached, 1);
+  }
+
+  void refuse_turned(std::uint32_t patch) const {
+    const PatchBase& on = scene_.bases[*scene_.surfaces[patch].on];
+    refuse(patch, "looks the other way than " + base(patch) + ", on which it lies",
+           "list its points in the other order, or say that it is on '" + on.name + (on.is_back ? "" : ":back") + "'");
+  }
+
+  void refuse_beyond(std::uint32_t patch, const Rational& from, const Rational& to) const {
+    const Edge2& edge = scene_.edges[patch];
+    refuse(patch,
+           "leaves " + base(patch) + ", on which it lies, along " + text(point_at(edge, from)) + " to " +
+               text(point_at(edge, to)),
+           "shorten it, or make a surface without \"on\" of what is beyond");
+  }
+
+  // The farther end, and how far it is from the nearest edge of the base.
+  void refuse_off(std::uint32_t patch, const std::vector<Support>& supports) const {
+    const Edge2& edge = scene_.edges[patch];
+    if (supports.empty()) {
+      const std::uint32_t nearest = nearest_base(patch);
+      refuse(patch,
+             "does not lie on " + base(patch) + ": it runs beside it, from " + text(edge.from) + " to " + text(edge.to),
+             "put it on " + along(nearest));
+    }
+    const Edge2& line = std::ranges::min_element(supports, {}, &Support::squared_off)->edge;
+    const Rational from = squared_distance_to_line(line, edge.from), to = squared_distance_to_line(line, edge.to);
+    refuse(patch,
+           "does not lie on " + base(patch) + ": " + text(to > from ? edge.to : edge.from) + " is " +
+               length_text(std::max(from, to)) + " off its line",
+           "put its ends on the line from " + text(line.from) + " to " + text(line.to) +
+               ", or give them as many digits as that has");
+  }
+
+  std::uint32_t nearest_base(std::uint32_t patch) const {
+    const Point2& from = scene_.edges[patch].from;
+    return *std::ranges::min_element(bases_.patches().under(patch), {}, [&](std::uint32_t s) {
+      return squared_distance(nearest_on(scene_.edges[s], from), from);
+    });
+  }
+  std::string along(std::uint32_t s) const {
+    const Edge2& edge = scene_.edges[s];
+    return quoted_name(scene_.surfaces[s].name) + ", from " + text(edge.from) + " to " + text(edge.to);
+  }
+
+  const Scene2& scene_;
+  const Bases bases_;
+};
+
+}  // namespace
+
+void seat_patches(Scene2& scene, const Rational& unit) {
+  if (!PatchBases(scene).is_empty()) Seater(scene, unit).seat();
+}
+
+void validate_patches(const Scene2& scene) {
+  if (!scene.bases.empty()) Judge(scene).judge();
+}
+
+std::vector<std::uint32_t> carriers_of(const Scene2& scene, const PatchBases& bases, std::uint32_t patch) {
+  const Edge2& own = scene.edges[patch];
+  std::vector<std::uint32_t> carriers;
+  for (const std::uint32_t s : bases.under(patch)) {
+    const Edge2& edge = scene.edges[s];
+    if (edge.from == edge.to || !is_on_line(edge, own)) continue;
+    const Rational from = place_along(edge, own.from), to = place_along(edge, own.to);
+    if (std::max(from, to) > 0 && std::min(from, to) < 1) carriers.push_back(s);
+  }
+  return carriers;
+}
+
+std::vector<std::uint32_t> patches_on(const Scene2& scene, const std::vector<std::uint32_t>& surfaces) {
+  const PatchBases bases(scene);
+  std::vector<std::uint32_t> patches;
+  const auto order = bases.outermost_first();
+  if (bases.is_empty() || !order) return patches;
+  std::vector<char> is_listed(scene.surfaces.size(), 0);
+  for (const std::uint32_t s : surfaces) is_listed[s] = 1;
+  for (const std::uint32_t patch : *order)
+    if (std::ranges::any_of(carriers_of(scene, bases, patch), [&](std::uint32_t s) { return is_listed[s] != 0; })) {
+      is_listed[patch] = 1;
+      patches.push_back(patch);
+    }
+  std::ranges::sort(patches);
+  return patches;
+}
+
+std::optional<BareScene2> without_patches(const Scene2& scene) {
+  if (PatchBases(scene).is_empty()) return std::nullopt;
+  BareScene2 bare{scene, {}};
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+    if (!scene.surfaces[s].on) bare.surface_of.push_back(s);
+  bare.scene.keep(bare.surface_of);
+  return bare;
+}
+
+namespace {
+
+// The ends of a patch, each where the edge that had it went.
+Edge2 carried(const Edge2& patch, const std::vector<std::uint32_t>& carriers, const Scene2& before,
+              const Scene2& after) {
+  const auto moved = [&](const Point2& end) {
+    const auto has_it = [&](std::uint32_t s) {
+      const Rational place = place_along(before.edges[s], end);
+      return 0 <= place && place <= 1;
+    };
+    const auto carrier = std::ranges::find_if(carriers, has_it);
+    const std::uint32_t s = carrier == carriers.end() ? carriers.front() : *carrier;
+    return point_at(after.edges[s], place_along(before.edges[s], end));
+  };
+  return {moved(patch.from), moved(patch.to)};
+}
+
+// A patch that went from `old` to `now`, put back onto an edge; `now` where that cannot be.
+Edge2 slid(const Edge2& old, const Edge2& now, const Edge2& along) {
+  Rational from = place_along(along, now.from), to = place_along(along, now.to);
+  const Rational length = abs(to - from);
+  if ((from < to) != (place_along(along, old.from) < place_along(along, old.to)) || length > 1) return now;
+  if (old.from == now.from || old.to == now.to) {
+    from = std::clamp(from, Rational(0), Rational(1));
+    to = std::clamp(to, Rational(0), Rational(1));
+  } else {
+    const Rational low = std::min(from, to), shift = std::clamp(low, Rational(0), Rational(1 - length)) - low;
+    from += shift;
+    to += shift;
+  }
+  return from == to ? now : Edge2{point_at(along, from), point_at(along, to)};
+}
+
+}  // namespace
+
+void carry_patches(const Scene2& before, Scene2& after) {
+  const PatchBases bases(before);
+  const auto order = bases.outermost_first();
+  if (bases.is_empty() || !order) return;
+  const auto has_moved = [&](std::uint32_t s) { return after.edges[s] != before.edges[s]; };
+  for (const std::uint32_t patch : *order) {
+    const std::vector<std::uint32_t> carriers = carriers_of(before, bases, patch);
+    if (carriers.empty()) continue;
+    Edge2& edge = after.edges[patch];
+    if (std::ranges::any_of(carriers, has_moved))
+      edge = carried(before.edges[patch], carriers, before, after);
+    else if (has_moved(patch) && carriers.size() == 1)
+      edge = slid(before.edges[patch], edge, before.edges[carriers.front()]);
+  }
+}
+
+void rename_bases(const Scene2& before, const std::vector<std::optional<std::uint32_t>>& place, Scene2& after) {
+  const PatchBases old(before), now(after);
+  for (std::uint32_t patch = 0; patch < before.surfaces.size() && !old.is_empty(); ++patch) {
+    if (!old.is_patch(patch) || !place[patch]) continue;
+    std::vector<std::uint32_t> carriers;
+    for (const std::uint32_t s : carriers_of(before, old, patch))
+      if (place[s]) carriers.push_back(*place[s]);
+    const auto is_under = [&](std::uint32_t s) { return now.lies_on(*place[patch], s); };
+    if (carriers.empty() || std::ranges::all_of(carriers, is_under)) continue;
+    const PatchBase base{after.surfaces[carriers.front()].name, old.is_on_backs(patch)};
+    const auto known = std::ranges::find(after.bases, base);
+    after.surfaces[*place[patch]].on = static_cast<std::uint32_t>(known - after.bases.begin());
+    if (known == after.bases.end()) after.bases.push_back(base);
+  }
+}
+
+}  // namespace hottel
