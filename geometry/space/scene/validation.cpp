@@ -4,6 +4,7 @@
 
 #include "geometry/name.h"
 #include "geometry/space/scene/light_place_problem.h"
+#include "geometry/space/scene/patches.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -16,6 +17,11 @@ std::string mask_problem(const Scene3& scene, const Mask3& mask) {
   if (scene.surfaces[mask.surface].is_obstruction)
     return "masks " + base + " and is an obstruction; masks have a material";
   if (scene.surfaces[mask.base].is_obstruction) return "masks " + base + ", an obstruction, which exchanges nothing";
+  for (const std::uint32_t s : {mask.surface, mask.base})
+    if (scene.surfaces[s].on)
+      return "masks " + base +
+             (s == mask.base ? ", which lies on another surface: masks lie on whole ones"
+                             : " and lies on another surface: it does one or the other");
   const auto is_base = [&](const Mask3& other) { return other.surface == mask.base; };
   if (std::any_of(scene.masks.begin(), scene.masks.end(), is_base)) return "masks " + base + ", which is a mask itself";
   const Polygon3 &polygon = scene.polygons[mask.surface], &under = scene.polygons[mask.base];
@@ -45,6 +51,7 @@ void validate_masks(const Scene3& scene) {
 // (3) to (5), but for the table.
 void validate_rest(const Scene3& scene) {
   validate_masks(scene);
+  validate_patches(scene);
   HOTTEL_REQUIRE(scene.light_places.size() == scene.lights.size());
   for (std::size_t k = 0; k < scene.lights.size(); ++k)
     if (const std::string problem = light_place_problem(scene, scene.lights[k], scene.light_places[k]);

@@ -1,0 +1,50 @@
+// Patches of space: polygons that lie on others.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "geometry/patch_bases.h"
+#include "geometry/space/scene/scene.h"
+
+namespace hottel {
+
+// Puts patches onto what they lie on: their corners into the plane of the base, exactly, where all are within the
+// planarity tolerance of it (is_within_planarity, by the diameter of the patch); and those that then are beside the
+// base by no more than that onto the nearest point of its border.
+//
+//   (1) a patch in the plane of its base and within it stays as it is; so does one that is farther off
+//   (2) a nearly plane base is its facets, each in a plane of its own; a patch lies on one plane
+//   (3) patches on patches come after what they lie on
+//
+// `unit` is what the last digit of the coordinates stands for, 0 where they have none.
+void seat_patches(Scene3& scene, const Rational& unit);
+
+// Throws InputError naming file, line, patch, base and place, with the remedy, for a patch that does not lie in the
+// plane of its base exactly, that looks the other way, or that leaves its base. REQUIRES validate_bases(scene), and
+// polygons without a problem. COST: for each patch linear in the polygons of its base, and a PlaneTriangulation3 of
+// those near it.
+void validate_patches(const Scene3& scene);
+
+// Returns the surfaces on which a patch lies somewhere, ascending. REQUIRES the bases of the scene, and
+// validate_patches(scene).
+std::vector<std::uint32_t> carriers_of(const Scene3& scene, const PatchBases& bases, std::uint32_t patch);
+
+// Returns the patches that lie on some surfaces somewhere, and those on them, ascending.
+std::vector<std::uint32_t> patches_on(const Scene3& scene, const std::vector<std::uint32_t>& surfaces);
+
+// A scene without its patches: surface_of[s] is the surface of the first scene that surface s is.
+struct BareScene3 {
+  Scene3 scene;
+  std::vector<std::uint32_t> surface_of;
+};
+// Returns nothing where there are no patches.
+std::optional<BareScene3> without_patches(const Scene3& scene);
+
+// Returns what the patches on a face leave of it: convex polygons that look as its front does, none where they cover
+// all, the polygon itself where none lies on it. Of a patch with a back that is what it takes of the other face too.
+// REQUIRES the bases of the scene, and validate_patches(scene).
+std::vector<Polygon3> beside_patches(const Scene3& scene, const PatchBases& bases, const Face& face);
+
+}  // namespace hottel
