@@ -110,6 +110,19 @@ PatchBase patch_base(std::string_view name) {
 
 std::string base_name(const PatchBase& base) { return base.name + (base.is_back ? ":back" : ""); }
 
+void settle_bases(SceneTable& table) {
+  std::vector<PatchBase> bases;
+  for (Surface& surface : table.surfaces) {
+    if (!surface.on) continue;
+    const PatchBase& own = table.bases[*surface.on];
+    const auto known = std::ranges::find(bases, own);
+    const auto index = static_cast<std::uint32_t>(known - bases.begin());
+    if (known == bases.end()) bases.push_back(own);
+    surface.on = index;
+  }
+  table.bases = std::move(bases);
+}
+
 std::string base_text(const PatchBase& base) { return (base.is_back ? "the back of " : "") + quoted_name(base.name); }
 
 std::string patch_hint(const SceneTable& table, const Face& patch, const Face& base) {

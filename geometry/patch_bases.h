@@ -65,6 +65,9 @@ std::vector<Face> silent_fronts(const PatchBases& patches, std::span<const Face>
 PatchBase patch_base(std::string_view name);
 std::string base_name(const PatchBase& base);
 
+// Lists the bases anew in the order in which surfaces first name them, each once and no others: as a file is read.
+void settle_bases(SceneTable& table);
+
 // Returns what patches lie on as messages call it: "'wall'", "the back of 'wall'".
 std::string base_text(const PatchBase& base);
 

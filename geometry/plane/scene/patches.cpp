@@ -335,11 +335,12 @@ Edge2 carried(const Edge2& patch, const std::vector<std::uint32_t>& carriers, co
 Edge2 slid(const Edge2& old, const Edge2& now, const Edge2& along) {
   Rational from = place_along(along, now.from), to = place_along(along, now.to);
   const Rational length = abs(to - from);
-  if ((from < to) != (place_along(along, old.from) < place_along(along, old.to)) || length > 1) return now;
+  if ((from < to) != (place_along(along, old.from) < place_along(along, old.to))) return now;
   if (old.from == now.from || old.to == now.to) {
     from = std::clamp(from, Rational(0), Rational(1));
     to = std::clamp(to, Rational(0), Rational(1));
   } else {
+    if (length > 1) return now;
     const Rational low = std::min(from, to), shift = std::clamp(low, Rational(0), Rational(1 - length)) - low;
     from += shift;
     to += shift;

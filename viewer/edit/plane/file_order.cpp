@@ -5,6 +5,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "geometry/patch_bases.h"
 #include "geometry/plane/scene/patches.h"
 #include "geometry/plane/scene/polyline_runs.h"
 #include "kernel/support/failure.h"
@@ -61,7 +62,10 @@ FileOrder2 in_file_order(Scene2 scene) {
   std::iota(place.begin(), place.end(), 0u);
   const SurfaceParts2 parts = surface_parts(scene);
   const Names polylines = names_of_polylines(scene, parts);
-  if (is_in_order(scene, parts, polylines)) return {std::move(scene), std::move(place)};
+  if (is_in_order(scene, parts, polylines)) {
+    settle_bases(scene);
+    return {std::move(scene), std::move(place)};
+  }
 
   const Scene2 before = scene.bases.empty() ? Scene2() : scene;
   FreeNames names(scene);
@@ -89,6 +93,7 @@ FileOrder2 in_file_order(Scene2 scene) {
   scene.edges = std::move(ordered.edges);
   scene.groups = std::move(groups);
   if (!scene.bases.empty()) rename_bases(before, {place.begin(), place.end()}, scene);
+  settle_bases(scene);
   return {std::move(scene), std::move(place)};
 }
 

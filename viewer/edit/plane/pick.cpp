@@ -25,23 +25,23 @@ bool is_at_back(const Edge2& e, const Place2& place) {
 }  // namespace
 
 std::optional<std::uint32_t> ScenePick2::edge_at(const Place2& local, double reach) const {
+  // The back of a patch without one is that of what it lies on.
+  const auto is_there = [&](std::uint32_t s) {
+    return !patches_.is_patch(s) || scene_->surfaces[s].back || side_of(local_.edges()[s], local) <= 0;
+  };
   std::optional<std::uint32_t> nearest;
   double least = reach;
   for (std::uint32_t s = 0; s < local_.edges().size(); ++s) {
     const double distance = local_foot(local_.edges()[s], local).distance;
-    if (!(nearest ? distance < least : distance <= least)) continue;
+    if (!(nearest ? distance < least : distance <= least) || !is_there(s)) continue;
     least = distance;
     nearest = s;
   }
   if (!nearest) return nearest;
   const auto is_as_near = [&](std::uint32_t s) {
-    return local_foot(local_.edges()[s], local).distance <= least + kSameDistance * reach;
+    return is_there(s) && local_foot(local_.edges()[s], local).distance <= least + kSameDistance * reach;
   };
-  const auto has_that_side = [&](std::uint32_t s) {
-    return side_of(local_.edges()[s], local) <= 0 || scene_->surfaces[s].back.has_value();
-  };
-  if (const auto patch = innermost_patch([&](std::uint32_t s) { return is_as_near(s) && has_that_side(s); }))
-    return patch;
+  if (const auto patch = innermost_patch(is_as_near)) return patch;
   if (side_of(local_.edges()[*nearest], local) <= 0) return nearest;
   for (std::uint32_t s = 0; s < local_.edges().size(); ++s)
     if (side_of(local_.edges()[s], local) <= 0 && is_as_near(s)) return s;
