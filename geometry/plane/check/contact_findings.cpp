@@ -14,7 +14,8 @@ namespace {
 
 class ContactTeller {
  public:
-  ContactTeller(const Scene2& scene, const Contacts2& contacts) : scene_(scene), contacts_(contacts), patches_(scene) {}
+  ContactTeller(const Scene2& scene, const Contacts2& contacts)
+      : scene_(scene), contacts_(contacts), carriers_(scene) {}
 
   Findings2 tell() {
     find_silent();
@@ -231,7 +232,7 @@ class ContactTeller {
   std::vector<std::uint32_t> patches_of(std::uint32_t s) const {
     std::vector<std::uint32_t> patches;
     for (std::uint32_t p = 0; p < scene_.surfaces.size(); ++p)
-      if (patches_.lies_on(p, s) && std::ranges::count(carriers_of(scene_, patches_, p), s) > 0) patches.push_back(p);
+      if (patches_.lies_on(p, s) && std::ranges::count(carriers_.of(p), s) > 0) patches.push_back(p);
     return patches;
   }
 
@@ -252,7 +253,8 @@ class ContactTeller {
 
   const Scene2& scene_;
   const Contacts2& contacts_;
-  const PatchBases patches_;
+  const PatchCarriers2 carriers_;
+  const PatchBases& patches_ = carriers_.bases();
   std::vector<Conflict> conflicts_;
   std::vector<char> is_silent_;  // by surface
   Findings2 findings_;

@@ -100,10 +100,11 @@ class GapCloser {
   // Patches, and what they lie on, stay where they are, and are no repetitions.
   void hold_patches() {
     is_kept_.assign(scene_.surfaces.size(), 0);
-    const PatchBases bases(scene_);
+    const PatchCarriers2 carriers_of(scene_);
+    const PatchBases& bases = carriers_of.bases();
     for (std::uint32_t s = 0; s < scene_.surfaces.size(); ++s) {
       if (!bases.is_patch(s)) continue;
-      std::vector<std::uint32_t> stay = carriers_of(scene_, bases, s);
+      std::vector<std::uint32_t> stay = carriers_of.of(s);
       stay.push_back(s);
       for (const std::uint32_t one : stay) {
         hold(one);

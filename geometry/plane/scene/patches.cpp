@@ -1,6 +1,8 @@
 #include "geometry/plane/scene/patches.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -46,27 +48,30 @@ struct Support {
   bool looks_alike = true;
 };
 
-// What patches lie on, as far as one patch is asked about.
-class Bases {
- public:
-  explicit Bases(const Scene2& scene) : scene_(scene), patches_(scene) {}
+// Where supports are looked for: near the patch, as where it lies on one, or anywhere.
+enum class Near : bool { kNo, kYes };
 
-  const PatchBases& patches() const { return patches_; }
+}  // namespace
+
+// What patches lie on, as far as one patch is asked about. Patches may move while it is asked.
+class PatchSupports2 {
+ public:
+  explicit PatchSupports2(const Scene2& scene) : scene_(scene), carriers_(scene) {}
+
+  const PatchBases& patches() const { return carriers_.bases(); }
 
   // The edges that lie below some of a patch or beside it, the nearest line first; those that look as it does before
   // those that do not.
-  std::vector<Support> supports(std::uint32_t patch) const {
+  std::vector<Support> supports(std::uint32_t patch, Near near) const {
     const Edge2& own = scene_.edges[patch];
     std::vector<Support> found;
-    for (const std::uint32_t s : patches_.under(patch)) {
-      Support support{as_it_has_to_look(patch, s), 0};
-      support.looks_alike = dot(support.edge, own) > 0;
-      const Rational from = place_along(support.edge, own.from), to = place_along(support.edge, own.to);
-      if (from == to || std::max(from, to) <= 0 || std::min(from, to) >= 1) continue;
-      support.squared_off =
-          std::max(squared_distance_to_line(support.edge, own.from), squared_distance_to_line(support.edge, own.to));
-      found.push_back(std::move(support));
-    }
+    for_each_base(patch, near, [&](Edge2 edge) {
+      const Rational from = place_along(edge, own.from), to = place_along(edge, own.to);
+      if (from == to || std::max(from, to) <= 0 || std::min(from, to) >= 1) return;
+      Rational off = std::max(squared_distance_to_line(edge, own.from), squared_distance_to_line(edge, own.to));
+      const bool looks_alike = from < to;
+      found.push_back({std::move(edge), std::move(off), looks_alike});
+    });
     std::ranges::stable_sort(found, [](const Support& a, const Support& b) {
       if (a.looks_alike != b.looks_alike) return a.looks_alike;
       return a.squared_off < b.squared_off;
@@ -74,14 +79,14 @@ class Bases {
     return found;
   }
 
-  // The parts of the way along an edge of its line that the base has, those that look the same way: merged, ascending.
+  // The parts of the way along an edge of its line that the base has there, those that look the same way: merged,
+  // ascending.
   std::vector<std::pair<Rational, Rational>> covered(std::uint32_t patch, const Edge2& along) const {
     std::vector<std::pair<Rational, Rational>> parts, merged;
-    for (const std::uint32_t s : patches_.under(patch)) {
-      const Edge2 edge = as_it_has_to_look(patch, s);
+    for_each_base(patch, Near::kYes, [&](const Edge2& edge) {
       if (dot(edge, along) > 0 && is_on_line(along, edge))
         parts.emplace_back(place_along(along, edge.from), place_along(along, edge.to));
-    }
+    });
     std::ranges::sort(parts);
     for (auto& part : parts)
       if (!merged.empty() && part.first <= merged.back().second)
@@ -92,14 +97,25 @@ class Bases {
   }
 
  private:
-  Edge2 as_it_has_to_look(std::uint32_t patch, std::uint32_t base) const {
-    const auto& [from, to] = scene_.edges[base];
-    return patches_.is_on_backs(patch) ? Edge2{to, from} : Edge2{from, to};
+  // Calls take(edge) for each edge of the base, as the patch has to look.
+  template <class Take>
+  void for_each_base(std::uint32_t patch, Near near, const Take& take) const {
+    const PatchCarriers2::Box own = PatchCarriers2::box_of(scene_.edges[patch]);
+    for (const std::uint32_t s : patches().under(patch)) {
+      // A patch that is a base itself may have moved a little.
+      const bool is_met =
+          patches().is_patch(s) ? own.meets(PatchCarriers2::box_of(scene_.edges[s])) : own.meets(carriers_.boxes_[s]);
+      if (near == Near::kYes && !is_met) continue;
+      const auto& [from, to] = scene_.edges[s];
+      take(patches().is_on_backs(patch) ? Edge2{to, from} : Edge2{from, to});
+    }
   }
 
   const Scene2& scene_;
-  const PatchBases patches_;
+  const PatchCarriers2 carriers_;
 };
+
+namespace {
 
 // Where two lines meet; nothing where they are parallel.
 std::optional<Point2> crossing(const Edge2& a, const Edge2& b) {
@@ -124,14 +140,15 @@ class Seater {
   }
 
  private:
-  bool is_near(std::uint32_t patch, const Rational& squared_distance) const {
-    return is_within_planarity(squared_distance, squared_length(typed_[patch]), unit_);
+  // Whether something is near enough by the length of a patch or of the edge that it is put on.
+  bool is_near(std::uint32_t patch, const Edge2& line, const Rational& squared_distance) const {
+    return is_within_planarity(squared_distance, std::max(squared_length(typed_[patch]), squared_length(line)), unit_);
   }
 
   void seat(std::uint32_t patch) {
     Edge2& edge = scene_.edges[patch];
-    for (const Support& support : bases_.supports(patch)) {
-      if (!is_near(patch, support.squared_off)) continue;
+    for (const Support& support : bases_.supports(patch, Near::kYes)) {
+      if (!is_near(patch, support.edge, support.squared_off)) continue;
       const Edge2& line = support.edge;
       if (support.squared_off != 0)
         for (Point2* end : {&edge.from, &edge.to}) *end = point_at(line, place_along(line, *end));
@@ -147,14 +164,15 @@ class Seater {
     const Rational from = place_along(line, edge.from), to = place_along(line, edge.to);
     for (const auto& [low, high] : bases_.covered(patch, line)) {
       if (high <= from || low >= to) continue;
-      move_a_little(patch, edge.from, point_at(line, std::max(from, low)));
-      move_a_little(patch, edge.to, point_at(line, std::min(to, high)));
+      move_a_little(patch, line, std::max(from, low), edge.from);
+      move_a_little(patch, line, std::min(to, high), edge.to);
       return;
     }
   }
 
-  void move_a_little(std::uint32_t patch, Point2& point, const Point2& to) const {
-    if (is_near(patch, squared_distance(point, to))) point = to;
+  void move_a_little(std::uint32_t patch, const Edge2& line, const Rational& place, Point2& point) const {
+    Point2 to = point_at(line, place);
+    if (is_near(patch, line, squared_distance(point, to))) point = std::move(to);
   }
 
   // Two pieces of a polyline meet again: on the line of both.
@@ -162,8 +180,7 @@ class Seater {
     Point2 &end = scene_.edges[s].to, &begin = scene_.edges[next].from;
     if (end == begin || typed_[s].to != typed_[next].from || is_seated_[s] == 0 || is_seated_[next] == 0) return;
     const Point2 at = crossing(scene_.edges[s], scene_.edges[next]).value_or(end);
-    if (is_near(s, squared_distance(at, typed_[s].to)) || is_near(next, squared_distance(at, typed_[s].to)))
-      end = begin = at;
+    if (is_near(s, typed_[next], squared_distance(at, typed_[s].to))) end = begin = at;
   }
   bool are_of_one_polyline(std::uint32_t s, std::uint32_t next) const {
     const Surface &a = scene_.surfaces[s], &b = scene_.surfaces[next];
@@ -182,7 +199,7 @@ class Seater {
 
   Scene2& scene_;
   const Rational& unit_;
-  const Bases bases_;
+  const PatchSupports2 bases_;
   const std::vector<Edge2> typed_;
   std::vector<char> is_seated_;  // by surface
 };
@@ -205,9 +222,9 @@ class Judge {
   std::string base(std::uint32_t patch) const { return base_text(scene_.bases[*scene_.surfaces[patch].on]); }
 
   void judge(std::uint32_t patch) const {
-    const std::vector<Support> supports = bases_.supports(patch);
+    const std::vector<Support> supports = bases_.supports(patch, Near::kYes);
     const auto on_line = std::ranges::find_if(supports, [](const Support& s) { return s.squared_off == 0; });
-    if (on_line == supports.end()) refuse_off(patch, supports);
+    if (on_line == supports.end()) refuse_off(patch, bases_.supports(patch, Near::kNo));
     if (!on_line->looks_alike) refuse_turned(patch);
     const Edge2& edge = scene_.edges[patch];
     Rational reached = 0;
@@ -264,7 +281,7 @@ class Judge {
   }
 
   const Scene2& scene_;
-  const Bases bases_;
+  const PatchSupports2 bases_;
 };
 
 }  // namespace
@@ -277,12 +294,33 @@ void validate_patches(const Scene2& scene) {
   if (!scene.bases.empty()) Judge(scene).judge();
 }
 
-std::vector<std::uint32_t> carriers_of(const Scene2& scene, const PatchBases& bases, std::uint32_t patch) {
-  const Edge2& own = scene.edges[patch];
+PatchCarriers2::PatchCarriers2(const Scene2& scene) : scene_(&scene), bases_(scene) {
+  if (bases_.is_empty()) return;
+  for (const Edge2& edge : scene.edges) boxes_.push_back(box_of(edge));
+}
+
+PatchCarriers2::Box PatchCarriers2::box_of(const Edge2& edge) {
+  constexpr double kPart = 2e-4;  // twice what the tolerance lets pass
+  const auto [ax, ay] = to_doubles(edge.from);
+  const auto [bx, by] = to_doubles(edge.to);
+  const double more = kPart * (std::abs(bx - ax) + std::abs(by - ay));
+  constexpr double kAll = std::numeric_limits<double>::infinity();
+  if (!std::isfinite(more)) return {-kAll, kAll, -kAll, kAll};
+  const auto below = [&](double a, double b) {
+    return std::nextafter(std::min(a, b) - more, -std::numeric_limits<double>::infinity());
+  };
+  const auto above = [&](double a, double b) {
+    return std::nextafter(std::max(a, b) + more, std::numeric_limits<double>::infinity());
+  };
+  return {below(ax, bx), above(ax, bx), below(ay, by), above(ay, by)};
+}
+
+std::vector<std::uint32_t> PatchCarriers2::of(std::uint32_t patch) const {
+  const Edge2& own = scene_->edges[patch];
   std::vector<std::uint32_t> carriers;
-  for (const std::uint32_t s : bases.under(patch)) {
-    const Edge2& edge = scene.edges[s];
-    if (edge.from == edge.to || !is_on_line(edge, own)) continue;
+  for (const std::uint32_t s : bases_.under(patch)) {
+    const Edge2& edge = scene_->edges[s];
+    if (!boxes_[patch].meets(boxes_[s]) || edge.from == edge.to || !is_on_line(edge, own)) continue;
     const Rational from = place_along(edge, own.from), to = place_along(edge, own.to);
     if (std::max(from, to) > 0 && std::min(from, to) < 1) carriers.push_back(s);
   }
@@ -290,14 +328,14 @@ std::vector<std::uint32_t> carriers_of(const Scene2& scene, const PatchBases& ba
 }
 
 std::vector<std::uint32_t> patches_on(const Scene2& scene, const std::vector<std::uint32_t>& surfaces) {
-  const PatchBases bases(scene);
+  const PatchCarriers2 carriers(scene);
   std::vector<std::uint32_t> patches;
-  const auto order = bases.outermost_first();
-  if (bases.is_empty() || !order) return patches;
+  const auto order = carriers.bases().outermost_first();
+  if (carriers.bases().is_empty() || !order) return patches;
   std::vector<char> is_listed(scene.surfaces.size(), 0);
   for (const std::uint32_t s : surfaces) is_listed[s] = 1;
   for (const std::uint32_t patch : *order)
-    if (std::ranges::any_of(carriers_of(scene, bases, patch), [&](std::uint32_t s) { return is_listed[s] != 0; })) {
+    if (std::ranges::any_of(carriers.of(patch), [&](std::uint32_t s) { return is_listed[s] != 0; })) {
       is_listed[patch] = 1;
       patches.push_back(patch);
     }
@@ -351,12 +389,12 @@ Edge2 slid(const Edge2& old, const Edge2& now, const Edge2& along) {
 }  // namespace
 
 void carry_patches(const Scene2& before, Scene2& after) {
-  const PatchBases bases(before);
-  const auto order = bases.outermost_first();
-  if (bases.is_empty() || !order) return;
+  const PatchCarriers2 carriers_of(before);
+  const auto order = carriers_of.bases().outermost_first();
+  if (carriers_of.bases().is_empty() || !order) return;
   const auto has_moved = [&](std::uint32_t s) { return after.edges[s] != before.edges[s]; };
   for (const std::uint32_t patch : *order) {
-    const std::vector<std::uint32_t> carriers = carriers_of(before, bases, patch);
+    const std::vector<std::uint32_t> carriers = carriers_of.of(patch);
     if (carriers.empty()) continue;
     Edge2& edge = after.edges[patch];
     if (std::ranges::any_of(carriers, has_moved))
@@ -367,11 +405,12 @@ void carry_patches(const Scene2& before, Scene2& after) {
 }
 
 void rename_bases(const Scene2& before, const std::vector<std::optional<std::uint32_t>>& place, Scene2& after) {
-  const PatchBases old(before), now(after);
+  const PatchCarriers2 carriers_of(before);
+  const PatchBases &old = carriers_of.bases(), now(after);
   for (std::uint32_t patch = 0; patch < before.surfaces.size() && !old.is_empty(); ++patch) {
     if (!old.is_patch(patch) || !place[patch]) continue;
     std::vector<std::uint32_t> carriers;
-    for (const std::uint32_t s : carriers_of(before, old, patch))
+    for (const std::uint32_t s : carriers_of.of(patch))
       if (place[s]) carriers.push_back(*place[s]);
     const auto is_under = [&](std::uint32_t s) { return now.lies_on(*place[patch], s); };
     if (carriers.empty() || std::ranges::all_of(carriers, is_under)) continue;

@@ -60,7 +60,7 @@ struct PolylineOptions2 {
 //       place among edges or polylines, from 0
 //   (3) numbers are exact (Number); the front of an edge is right of from -> to, so that a room is listed clockwise
 //   (4) after a throw the builder is as it was before the call
-//   (5) build() puts patches onto their bases where they are off by at most 2^-40 of their length (seat_patches)
+//   (5) build() puts patches onto their bases where they are off by rounding of doubles (seat_patches)
 //
 // Every function but the constructor throws InputError, naming the edge, polyline, piece or material, for what
 // docs/scene_format.md does not allow; build() for names that are not unique.

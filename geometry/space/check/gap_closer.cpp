@@ -57,11 +57,11 @@ class GapCloser {
 
  private:
   void hold_patches() {
-    const PatchBases bases(scene_);
+    const PatchCarriers3 carriers(scene_);
     for (std::uint32_t s = 0; s < scene_.surfaces.size(); ++s) {
-      if (!bases.is_patch(s)) continue;
+      if (!carriers.bases().is_patch(s)) continue;
       hold(s);
-      for (const std::uint32_t carrier : carriers_of(scene_, bases, s)) hold(carrier);
+      for (const std::uint32_t carrier : carriers.of(s)) hold(carrier);
     }
   }
 

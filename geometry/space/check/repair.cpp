@@ -133,11 +133,11 @@ void drop_doubles(Repair3& repair) {
   std::map<std::vector<Point3>, std::vector<std::uint32_t>, LoopOrder> first;
   std::vector<char> is_double(scene.surfaces.size(), 0);
   for (const Mask3& mask : scene.masks) is_double[mask.surface] = is_double[mask.base] = 2;  // never
-  const PatchBases bases(scene);
+  const PatchCarriers3 carriers(scene);
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
-    if (bases.is_patch(s)) {
+    if (carriers.bases().is_patch(s)) {
       is_double[s] = 2;
-      for (const std::uint32_t carrier : carriers_of(scene, bases, s)) is_double[carrier] = 2;
+      for (const std::uint32_t carrier : carriers.of(s)) is_double[carrier] = 2;
     }
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     if (is_double[s] != 0) continue;

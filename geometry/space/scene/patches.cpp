@@ -1,6 +1,8 @@
 #include "geometry/space/scene/patches.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -34,12 +36,14 @@ struct Facet {
   FlatRegion3 region;
   Polygon3 polygon;
   Vector3 normal;  // of its front
+  PatchCarriers3::Box box;
 
   explicit Facet(Polygon3 p)
       : frame(p.points),
         region(frame.region(p.points, p.holes)),
         polygon(std::move(p)),
-        normal(doubled_area(polygon)) {}
+        normal(doubled_area(polygon)),
+        box(polygon.points) {}
 
   Rational squared_distance(const Point3& point) const {
     const Rational height = dot(normal, point - polygon.points.front());
@@ -61,6 +65,9 @@ struct Support {
   bool looks_alike;
 };
 
+// Where supports are looked for: near the patch, as where it lies on one, or anywhere.
+enum class Near : bool { kNo, kYes };
+
 // What patches lie on. Facets are those of the scene as it is when they are first asked for; what is no polygon has
 // none.
 class Bases {
@@ -71,11 +78,11 @@ class Bases {
 
   // The facets in front of which or behind which a patch may lie, the nearest plane first; those that look as it does
   // before those that do not.
-  std::vector<Support> supports(std::uint32_t patch) {
+  std::vector<Support> supports(std::uint32_t patch, Near near) {
     std::vector<Support> found;
     const std::vector<Point3> corners = corners_of(scene_.polygons[patch]);
     const Vector3 front = front_of(patch);
-    for (const Facet* facet : facets_under(patch)) {
+    for (const Facet* facet : facets_under(patch, near)) {
       std::vector<std::vector<FlatPoint3>> outline(1);
       for (const Point3& p : scene_.polygons[patch].points)
         outline[0].push_back(facet->frame.flat(facet->projected(p)));
@@ -95,7 +102,7 @@ class Bases {
   // The facets of a plane that look as a patch in it has to.
   std::vector<const Facet*> beside(std::uint32_t patch, const Facet& first) {
     std::vector<const Facet*> found;
-    for (const Facet* facet : facets_under(patch))
+    for (const Facet* facet : facets_under(patch, Near::kYes))
       if (facet->frame.key() == first.frame.key() && dot(facet->normal, first.normal) > 0) found.push_back(facet);
     return found;
   }
@@ -107,13 +114,15 @@ class Bases {
     return patches_.is_on_backs(patch) ? Vector3{-front.x, -front.y, -front.z} : front;
   }
 
-  std::vector<const Facet*> facets_under(std::uint32_t patch) {
+  std::vector<const Facet*> facets_under(std::uint32_t patch, Near near) {
+    const PatchCarriers3::Box own(scene_.polygons[patch].points);
     std::vector<const Facet*> found;
     for (const std::uint32_t s : patches_.under(patch)) {
       auto [entry, is_new] = facets_.try_emplace(s);
       if (is_new && polygon_problem(scene_.polygons[s]).text.empty())
         for (Polygon3& polygon : facets_of(scene_.polygons[s])) entry->second.emplace_back(std::move(polygon));
-      for (const Facet& facet : entry->second) found.push_back(&facet);
+      for (const Facet& facet : entry->second)
+        if (near == Near::kNo || own.meets(facet.box)) found.push_back(&facet);
     }
     return found;
   }
@@ -147,8 +156,9 @@ class Seater {
  private:
   void seat(std::uint32_t patch) {
     Polygon3& polygon = scene_.polygons[patch];
-    const Rational diameter = squared_diameter(corners_of(polygon));
-    for (const Support& support : bases_.supports(patch)) {
+    const Rational own_diameter = squared_diameter(corners_of(polygon));
+    for (const Support& support : bases_.supports(patch, Near::kYes)) {
+      const Rational diameter = std::max(own_diameter, squared_diameter(support.facet->polygon.points));
       if (!is_within_planarity(support.squared_off, diameter, unit_)) continue;
       for_each_corner(polygon, [&](Point3& corner) {
         if (support.squared_off != 0) corner = support.facet->projected(corner);
@@ -209,9 +219,10 @@ class Judge {
   std::string base(std::uint32_t patch) const { return base_text(scene_.bases[*scene_.surfaces[patch].on]); }
 
   void judge(std::uint32_t patch) {
-    const std::vector<Support> supports = bases_.supports(patch);
+    const std::vector<Support> supports = bases_.supports(patch, Near::kYes);
     const auto in_plane = std::ranges::find_if(supports, [](const Support& s) { return s.squared_off == 0; });
-    if (in_plane == supports.end() || scene_.polygons[patch].is_nearly_plane) refuse_off(patch, supports);
+    if (in_plane == supports.end() || scene_.polygons[patch].is_nearly_plane)
+      refuse_off(patch, bases_.supports(patch, Near::kNo));
     if (!in_plane->looks_alike) refuse_turned(patch);
     judge_extent(patch, *in_plane->facet);
   }
@@ -281,12 +292,6 @@ void validate_patches(const Scene3& scene) {
 
 namespace {
 
-// Whether a patch takes its place of a face that it lies on, or of the other face of that.
-bool takes_from(const Scene3& scene, const PatchBases& bases, std::uint32_t patch, const Face& face) {
-  if (!bases.lies_on(patch, face.surface)) return false;
-  return bases.is_on_backs(patch) == face.is_back || scene.surfaces[patch].back.has_value();
-}
-
 // The parts of a facet of which a region has nothing.
 void append_beside(const Facet& facet, const std::vector<FlatRegion3>& taken, std::vector<Polygon3>& pieces) {
   std::vector<FlatSegment3> segments;
@@ -309,18 +314,19 @@ void append_beside(const Facet& facet, const std::vector<FlatRegion3>& taken, st
 
 }  // namespace
 
-std::vector<Polygon3> beside_patches(const Scene3& scene, const PatchBases& bases, const Face& face) {
-  std::vector<const Polygon3*> patches;
-  for (std::uint32_t s = 0; s < scene.surfaces.size() && !bases.is_empty(); ++s)
-    if (takes_from(scene, bases, s, face)) patches.push_back(&scene.polygons[s]);
+std::vector<Polygon3> beside_patches(const PatchCarriers3& carriers, const Face& face) {
+  const Scene3& scene = carriers.scene();
+  const std::vector<std::uint32_t> patches = carriers.on(face);
   if (patches.empty()) return {scene.polygons[face.surface]};
   std::vector<Polygon3> pieces;
   for (Polygon3& polygon : facets_of(scene.polygons[face.surface])) {
     const Facet facet(std::move(polygon));
     std::vector<FlatRegion3> taken;
-    for (const Polygon3* patch : patches)
-      if (PlaneFrame3(patch->points).key() == facet.frame.key())
-        taken.push_back(facet.frame.region(patch->points, patch->holes));
+    for (const std::uint32_t s : patches) {
+      const Polygon3& patch = scene.polygons[s];
+      if (PlaneFrame3(patch.points).key() == facet.frame.key())
+        taken.push_back(facet.frame.region(patch.points, patch.holes));
+    }
     std::erase_if(taken, [&](const FlatRegion3& region) { return !region.may_meet(facet.region); });
     if (taken.empty())
       pieces.push_back(facet.polygon);
@@ -330,11 +336,42 @@ std::vector<Polygon3> beside_patches(const Scene3& scene, const PatchBases& base
   return pieces;
 }
 
-std::vector<std::uint32_t> carriers_of(const Scene3& scene, const PatchBases& bases, std::uint32_t patch) {
-  const Facet own(scene.polygons[patch]);
+PatchCarriers3::Box::Box(const std::vector<Point3>& points) {
+  constexpr double kPart = 2e-4;  // twice what the tolerance lets pass
+  constexpr double kAll = std::numeric_limits<double>::infinity();
+  low.fill(kAll);
+  high.fill(-kAll);
+  for (const Point3& point : points) {
+    const std::array<double, 3> at = to_doubles(point);
+    for (std::size_t a = 0; a < 3; ++a) {
+      low[a] = std::min(low[a], at[a]);
+      high[a] = std::max(high[a], at[a]);
+    }
+  }
+  const double more = kPart * (high[0] - low[0] + high[1] - low[1] + high[2] - low[2]);
+  for (std::size_t a = 0; a < 3; ++a) {
+    low[a] = std::isfinite(more) ? std::nextafter(low[a] - more, -kAll) : -kAll;
+    high[a] = std::isfinite(more) ? std::nextafter(high[a] + more, kAll) : kAll;
+  }
+}
+
+bool PatchCarriers3::Box::meets(const Box& other) const {
+  for (std::size_t a = 0; a < 3; ++a)
+    if (low[a] > other.high[a] || other.low[a] > high[a]) return false;
+  return true;
+}
+
+PatchCarriers3::PatchCarriers3(const Scene3& scene) : scene_(&scene), bases_(scene) {
+  if (bases_.is_empty()) return;
+  for (const Polygon3& polygon : scene.polygons) boxes_.emplace_back(polygon.points);
+}
+
+std::vector<std::uint32_t> PatchCarriers3::of(std::uint32_t patch) const {
+  const Facet own(scene_->polygons[patch]);
   std::vector<std::uint32_t> carriers;
-  for (const std::uint32_t s : bases.under(patch)) {
-    const std::vector<Polygon3> facets = facets_of(scene.polygons[s]);
+  for (const std::uint32_t s : bases_.under(patch)) {
+    if (!boxes_[patch].meets(boxes_[s])) continue;
+    const std::vector<Polygon3> facets = facets_of(scene_->polygons[s]);
     if (std::ranges::any_of(facets, [&](const Polygon3& polygon) {
           const PlaneFrame3 frame(polygon.points);
           return frame.key() == own.frame.key() && frame.region(polygon.points, polygon.holes).may_meet(own.region);
@@ -344,15 +381,24 @@ std::vector<std::uint32_t> carriers_of(const Scene3& scene, const PatchBases& ba
   return carriers;
 }
 
-std::vector<std::uint32_t> patches_on(const Scene3& scene, const std::vector<std::uint32_t>& surfaces) {
-  const PatchBases bases(scene);
+std::vector<std::uint32_t> PatchCarriers3::on(const Face& face) const {
   std::vector<std::uint32_t> patches;
-  const auto order = bases.outermost_first();
-  if (bases.is_empty() || !order) return patches;
+  for (std::uint32_t s = 0; s < boxes_.size(); ++s) {
+    if (!bases_.lies_on(s, face.surface) || !boxes_[s].meets(boxes_[face.surface])) continue;
+    if (bases_.is_on_backs(s) == face.is_back || scene_->surfaces[s].back) patches.push_back(s);
+  }
+  return patches;
+}
+
+std::vector<std::uint32_t> patches_on(const Scene3& scene, const std::vector<std::uint32_t>& surfaces) {
+  const PatchCarriers3 carriers(scene);
+  std::vector<std::uint32_t> patches;
+  const auto order = carriers.bases().outermost_first();
+  if (carriers.bases().is_empty() || !order) return patches;
   std::vector<char> is_listed(scene.surfaces.size(), 0);
   for (const std::uint32_t s : surfaces) is_listed[s] = 1;
   for (const std::uint32_t patch : *order)
-    if (std::ranges::any_of(carriers_of(scene, bases, patch), [&](std::uint32_t s) { return is_listed[s] != 0; })) {
+    if (std::ranges::any_of(carriers.of(patch), [&](std::uint32_t s) { return is_listed[s] != 0; })) {
       is_listed[patch] = 1;
       patches.push_back(patch);
     }

@@ -12,7 +12,6 @@
 #include <optional>
 
 #include "geometry/name.h"
-#include "geometry/patch_bases.h"
 #include "geometry/scene_names.h"
 #include "geometry/space/scene/near_plane.h"
 #include "geometry/space/scene/patches.h"
@@ -112,10 +111,10 @@ class MeshWriter3 {
 
  private:
   void collect_faces() {
-    const PatchBases bases(scene_);
+    const PatchCarriers3 carriers(scene_);
     for (std::uint32_t s = 0; s < scene_.polygons.size(); ++s) {
       // A mesh has fronts alone.
-      const std::vector<Polygon3> left = beside_patches(scene_, bases, {s, false});
+      const std::vector<Polygon3> left = beside_patches(carriers, {s, false});
       if (left.empty()) covered_.push_back(scene_.surfaces[s].name);
       if (left != std::vector{scene_.polygons[s]}) bases_.push_back(scene_.surfaces[s].name);
       for (const Polygon3& polygon : left) add_polygon(s, polygon);

@@ -10,7 +10,6 @@
 #include <set>
 
 #include "geometry/name.h"
-#include "geometry/patch_bases.h"
 #include "geometry/space/arrangement/arrangement.h"
 #include "geometry/space/scene/patches.h"
 #include "geometry/space/scene/plane_frame.h"
@@ -77,11 +76,11 @@ std::vector<std::size_t> fillers_of(const Scene3& scene, std::size_t s) {
 std::vector<std::string> surfaces_that_lose(const Scene3& scene) {
   const Arrangement3 arrangement(scene);
   if (arrangement.is_plain()) return {};
-  const PatchBases bases(scene);
+  const PatchCarriers3 carriers(scene);
   const auto loses = [&](std::uint32_t s, bool is_back) {
     const Vector3 normal = doubled_area(scene.polygons[s]);
     Rational rest;
-    for (const Polygon3& piece : beside_patches(scene, bases, {s, is_back})) rest += dot(normal, doubled_area(piece));
+    for (const Polygon3& piece : beside_patches(carriers, {s, is_back})) rest += dot(normal, doubled_area(piece));
     if (!is_back)
       for (const Mask3& mask : scene.masks)
         if (mask.surface == s || mask.base == s) rest -= abs(dot(normal, doubled_area(scene.polygons[mask.surface])));
@@ -120,15 +119,14 @@ std::string title_of(const std::string& about) {
 
 // The faces of patches that a face can be the base of: all that take something of it, where each is a later single
 // record within it, and no two share an area; empty where one of them is not so.
-std::vector<Face> subsurfaces_of(const Scene3& scene, const PatchBases& bases, const Face& face) {
+std::vector<Face> subsurfaces_of(const PatchCarriers3& carriers, const Face& face) {
+  const Scene3& scene = carriers.scene();
   if (!is_one_record(scene.polygons[face.surface]) || !scene.polygons[face.surface].holes.empty()) return {};
   const PlaneFrame3 frame(scene.polygons[face.surface].points);
   std::vector<Face> found;
   std::vector<std::vector<FlatPoint3>> outlines;
-  for (std::uint32_t t = 0; t < scene.surfaces.size(); ++t) {
-    if (!bases.lies_on(t, face.surface)) continue;
-    const Face patch{t, bases.is_on_backs(t) != face.is_back};
-    if (patch.is_back && !scene.surfaces[t].back) continue;
+  for (const std::uint32_t t : carriers.on(face)) {
+    const Face patch{t, carriers.bases().is_on_backs(t) != face.is_back};
     const Polygon3& polygon = scene.polygons[t];
     if (PlaneFrame3(polygon.points).key() != frame.key()) continue;
     std::vector<FlatPoint3> outline = frame.outline(polygon.points);
@@ -148,7 +146,7 @@ class DeckWriter3 {
  public:
   DeckWriter3(const Scene3& scene, bool combines_groups)
       : scene_(scene),
-        bases_(scene),
+        carriers_(scene),
         combines_groups_(combines_groups),
         leaders_(2 * scene.groups.size()),
         base_of_(2 * scene.surfaces.size()),
@@ -177,9 +175,9 @@ class DeckWriter3 {
   void add_face(std::size_t s, bool is_back) {
     const Surface& surface = scene_.surfaces[s];
     const Face face{static_cast<std::uint32_t>(s), is_back};
-    const std::vector<Face> subsurfaces = subsurfaces_of(scene_, bases_, face);
+    const std::vector<Face> subsurfaces = subsurfaces_of(carriers_, face);
     const std::vector<Polygon3> left =
-        subsurfaces.empty() ? beside_patches(scene_, bases_, face) : std::vector{scene_.polygons[s]};
+        subsurfaces.empty() ? beside_patches(carriers_, face) : std::vector{scene_.polygons[s]};
     if (left.empty()) return covered_.push_back(surface.name);
     for (const Face& patch : subsurfaces) base_of_[patch.number()] = count_ + 1;
     const bool leads = combines_groups_ && !leaders_[2 * surface.group + is_back];
@@ -316,7 +314,7 @@ class DeckWriter3 {
   }
 
   const Scene3& scene_;
-  const PatchBases bases_;
+  const PatchCarriers3 carriers_;
   const bool combines_groups_;
   std::string vertices_, records_;
   std::size_t count_ = 0, backs_ = 0, changed_names_ = 0;

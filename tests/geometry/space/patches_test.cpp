@@ -234,14 +234,14 @@ TEST(Patches3, StayInRepairs) {
 
 TEST(Patches3, LeaveConvexPartsOfTheirBases) {
   const Scene3 scene = scene_of(kRoom + "," + mat());
-  const PatchBases bases(scene);
+  const PatchCarriers3 carriers(scene);
   Rational left;
-  for (const Polygon3& part : beside_patches(scene, bases, {0, false})) {
+  for (const Polygon3& part : beside_patches(carriers, {0, false})) {
     EXPECT_TRUE(is_convex(part));
     left += doubled_area(part).z / 2;
   }
   EXPECT_EQ(left, Rational(3, 4));
-  EXPECT_TRUE(beside_patches(scene, bases, {0, true}) == std::vector{scene.polygons[0]});
+  EXPECT_TRUE(beside_patches(carriers, {0, true}) == std::vector{scene.polygons[0]});
 }
 
 }  // namespace

@@ -67,10 +67,11 @@ class Adder {
   }
   // Copies of patches lie on the copies of what those lie on; where that was not copied they slide along it.
   void lay_patches(const Scene2& before, const std::vector<std::optional<std::uint32_t>>& copies) {
-    const PatchBases bases(before);
+    const PatchCarriers2 carriers_of(before);
+    const PatchBases& bases = carriers_of.bases();
     for (std::uint32_t s = 0; s < copies.size(); ++s) {
       if (!copies[s] || !bases.is_patch(s)) continue;
-      const std::vector<std::uint32_t> carriers = carriers_of(before, bases, s);
+      const std::vector<std::uint32_t> carriers = carriers_of.of(s);
       if (carriers.empty()) continue;
       if (const auto carrier = copies[carriers.front()])
         lay_on(*copies[s], {edited_.surfaces[*carrier].name, bases.is_on_backs(s)});

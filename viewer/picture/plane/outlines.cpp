@@ -228,7 +228,8 @@ Outlines2::Outlines2(const Scene2& scene, const Corners2& corners) : closed(clos
 
 // Each with what it lies on.
 void Outlines2::add_patches(const Scene2& scene) {
-  const PatchBases bases(scene);
+  const PatchCarriers2 carriers_of(scene);
+  const PatchBases& bases = carriers_of.bases();
   if (bases.is_empty()) return;
   std::vector<std::uint32_t> outline_of(scene.surfaces.size(), kNone);
   for (std::uint32_t k = 0; k < closed.size(); ++k)
@@ -237,7 +238,7 @@ void Outlines2::add_patches(const Scene2& scene) {
     if (!bases.is_patch(patch)) continue;
     std::uint32_t below = patch;
     while (bases.is_patch(below)) {
-      const std::vector<std::uint32_t> carriers = carriers_of(scene, bases, below);
+      const std::vector<std::uint32_t> carriers = carriers_of.of(below);
       if (carriers.empty()) break;
       below = carriers.front();
     }
