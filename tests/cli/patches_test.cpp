@@ -140,6 +140,62 @@ TEST(PatchesByHand, AreSubsurfacesOfDecksAndHolesOfMeshes) {
   ASSERT_EQ(place.run("hottel convert space.json mesh.obj && hottel convert mesh.obj back.json").code, 0);
 }
 
+// A chain, a patch with a back, one on the back of the base, and one of more corners than a record has.
+const std::string kPatchwork = R"({"hottel": 1, "dimension": 3,
+  "materials": {"w": {"reflectivity": 0.5}, "g": {"reflectivity": 0.25}, "r": {"reflectivity": 0.75}},
+  "polygons": [
+    {"name": "floor", "points": [[0,0,0],[4,0,0],[4,4,0],[0,4,0]], "material": "w", "back": "w"},
+    {"name": "rug", "points": [[1,1,0],[3,1,0],[3,3,0],[1,3,0]], "material": "g", "on": "floor", "back": "r"},
+    {"name": "spot", "points": [[1.5,1.5,0],[2,1.5,0],[2,2,0],[1.5,2,0]], "material": "r", "on": "rug"},
+    {"name": "under", "points": [[0.25,0.25,0],[0.25,0.75,0],[0.75,0.75,0],[0.75,0.25,0]], "material": "g",
+     "on": "floor:back"},MORE
+    {"name": "lid", "points": [[0,0,2],[0,4,2],[4,4,2],[4,0,2]], "material": "w"},
+    {"name": "below", "points": [[0,0,-1],[4,0,-1],[4,4,-1],[0,4,-1]], "material": "w"}]})";
+
+std::string patchwork(const std::string& more) {
+  std::string text = kPatchwork;
+  return text.replace(text.find("MORE"), 4, more);
+}
+
+TEST(PatchesByHand, AreInDecksWhatTheyAreInScenes) {
+  const Workplace place;
+  place.write("quads.json", patchwork(""));
+  place.write("more.json", patchwork(R"({"name": "hex", "points": [[3.2,3.2,0],[3.5,3.1,0],[3.8,3.2,0],[3.8,3.5,0],
+    [3.5,3.6,0]], "material": "g", "on": "floor"},)"));
+  for (const std::string name : {"quads", "more"}) {
+    ASSERT_EQ(place.run("hottel convert " + name + ".json " + name + ".vs3").code, 0);
+    const auto scene = table(place.run("hottel factors " + name + ".json --quiet").out, 2),
+               deck = table(place.run("hottel factors " + name + ".vs3 --per group --quiet").out, 2);
+    std::size_t found = 0;
+    for (const auto& [key, row] : scene) {
+      if (!key.starts_with("lid,") && !key.starts_with("below,")) continue;
+      std::string other = key;
+      if (const auto back = other.find(":back"); back != std::string::npos) other.replace(back, 5, "-back");
+      ASSERT_EQ(deck.count(other), 1u) << other;
+      EXPECT_NEAR(std::stod(deck.at(other).at(2)), std::stod(row.at(2)), 1e-12) << key;
+      ++found;
+    }
+    EXPECT_GE(found, 8u);
+  }
+  EXPECT_THAT(place.read("quads.vs3"),
+              AllOf(HasSubstr("   2 0   0.25   rug-back\n"), HasSubstr("   3 0   0.25   spot\n"),
+                    HasSubstr("   2 0   0.75   under\n")));
+}
+
+// A wall of two triangles, turned and typed to three digits; the window is typed to six.
+TEST(PatchesByHand, LieOnMeshesOfCoarserDigits) {
+  const Workplace place;
+  place.write("wall.obj", "v 0 0 0\nv 2.598 1.5 0\nv 2.598 1.5 2.5\nv 0 0 2.5\ng wall\nf 1 2 3\nf 1 3 4\n");
+  place.write("scene.json",
+              R"({"hottel": 1, "dimension": 3, "materials": {"w": {"reflectivity": 0.5}, "g": {"emission": 5}},
+    "polygons": [{"name": "window", "points": [[0.866025,0.5,0.5],[1.732051,1,0.5],[1.732051,1,1.5],[0.866025,0.5,1.5]],
+                  "material": "g", "on": "wall"}],
+    "mesh": {"file": "wall.obj", "name": "m", "material": "w"}})");
+  const Outcome factors = place.run("hottel factors scene.json --areas");
+  EXPECT_EQ(factors.code, 0) << factors.err;
+  EXPECT_THAT(place.run("hottel convert scene.json - | hottel factors - --quiet").out, HasSubstr("window,sky,"));
+}
+
 // A wall of which the patch is not said is another scene: kept factors of one do not serve the other.
 TEST(PatchesByHand, AreTakenFromStoresAsTheyAre) {
   const Workplace place;

@@ -1,5 +1,6 @@
 #include "io/scene/space/scene_reader.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <unordered_map>
 #include <utility>
@@ -194,7 +195,17 @@ class SpaceReader3 {
     if (about) read_string(about, {owner, "about"});
     if (behind) entry.behind = read_behind(behind, {owner, "behind"});
     entry.line = value.line();
-    adder.add(read_mesh_file(file, owner), entry);
+    const Mesh3 mesh = read_mesh_file(file, owner);
+    if (!scene_.bases.empty()) unit_of_digits_ = std::max(unit_of_digits_, unit_of(mesh, entry.scale));
+    adder.add(mesh, entry);
+  }
+
+  // What the last digit of the points of a mesh stands for.
+  static Rational unit_of(const Mesh3& mesh, const Rational& scale) {
+    Rational unit = mesh.unit;
+    if (mesh.float_digits > 0)
+      for (const MeshFace3& face : mesh.faces) unit = std::max(unit, float_spacing(face.polygon, mesh.float_digits));
+    return scale * unit;
   }
 
   Mesh3 read_mesh_file(const JsonValue& file, const std::string& owner) const {
@@ -296,7 +307,7 @@ class SpaceReader3 {
   Scene3 scene_;
   TableReader table_;
   std::vector<std::pair<std::string, JsonValue>> masks_;  // by name, with what they say
-  Rational unit_of_digits_;                               // of the points of polygons
+  Rational unit_of_digits_;                               // of the points of polygons, and of meshes, the coarsest
   const TextSource& files_;
   Triangulator3* triangulator_;
   PassedOver* passed_over_;
