@@ -3,316 +3,42 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
-#include "geometry/name.h"
-#include "geometry/planarity.h"
-#include "kernel/decimal.h"
-#include "kernel/support/failure.h"
+#include "geometry/plane/scene/closest_point.h"
 
 namespace hottel {
 namespace {
-
-std::string text(const Point2& p) { return "(" + short_text(p.x) + ", " + short_text(p.y) + ")"; }
-
-Rational dot(const Edge2& a, const Edge2& b) {
-  return (a.to.x - a.from.x) * (b.to.x - b.from.x) + (a.to.y - a.from.y) * (b.to.y - b.from.y);
-}
-
-Rational squared_length(const Edge2& edge) { return dot(edge, edge); }
-
-// Where a point lies along an edge: the t of the point of its line that is nearest.
-Rational place_along(const Edge2& edge, const Point2& p) { return dot(edge, {edge.from, p}) / squared_length(edge); }
-
-Rational squared_distance_to_line(const Edge2& edge, const Point2& p) {
-  const Rational area = doubled_area(edge.from, edge.to, p);
-  return area * area / squared_length(edge);
-}
-
-Rational squared_distance(const Point2& a, const Point2& b) { return squared_length({a, b}); }
-
-// The point of an edge that is nearest to a point.
-Point2 nearest_on(const Edge2& edge, const Point2& p) {
-  return point_at(edge, std::clamp(place_along(edge, p), Rational(0), Rational(1)));
-}
 
 bool is_on_line(const Edge2& line, const Edge2& edge) {
   return doubled_area(line.from, line.to, edge.from) == 0 && doubled_area(line.from, line.to, edge.to) == 0;
 }
 
-// An edge that a patch may lie on, and how far off its line the farther end of the patch is.
-struct Support {
-  Edge2 edge;  // as the patch has to look: turned round where it lies on the back
-  Rational squared_off;
-  bool looks_alike = true;
-};
-
-// Where supports are looked for: near the patch, as where it lies on one, or anywhere.
-enum class Near : bool { kNo, kYes };
-
 }  // namespace
-
-// What patches lie on, as far as one patch is asked about. Patches may move while it is asked.
-class PatchSupports2 {
- public:
-  explicit PatchSupports2(const Scene2& scene) : scene_(scene), carriers_(scene) {}
-
-  const PatchBases& patches() const { return carriers_.bases(); }
-
-  // The edges that lie below some of a patch or beside it, the nearest line first; those that look as it does before
-  // those that do not.
-  std::vector<Support> supports(std::uint32_t patch, Near near) const {
-    const Edge2& own = scene_.edges[patch];
-    std::vector<Support> found;
-    for_each_base(patch, near, [&](Edge2 edge) {
-      const Rational from = place_along(edge, own.from), to = place_along(edge, own.to);
-      if (from == to || std::max(from, to) <= 0 || std::min(from, to) >= 1) return;
-      Rational off = std::max(squared_distance_to_line(edge, own.from), squared_distance_to_line(edge, own.to));
-      const bool looks_alike = from < to;
-      found.push_back({std::move(edge), std::move(off), looks_alike});
-    });
-    std::ranges::stable_sort(found, [](const Support& a, const Support& b) {
-      if (a.looks_alike != b.looks_alike) return a.looks_alike;
-      return a.squared_off < b.squared_off;
-    });
-    return found;
-  }
-
-  // The parts of the way along an edge of its line that the base has there, those that look the same way: merged,
-  // ascending.
-  std::vector<std::pair<Rational, Rational>> covered(std::uint32_t patch, const Edge2& along) const {
-    std::vector<std::pair<Rational, Rational>> parts, merged;
-    for_each_base(patch, Near::kYes, [&](const Edge2& edge) {
-      if (dot(edge, along) > 0 && is_on_line(along, edge))
-        parts.emplace_back(place_along(along, edge.from), place_along(along, edge.to));
-    });
-    std::ranges::sort(parts);
-    for (auto& part : parts)
-      if (!merged.empty() && part.first <= merged.back().second)
-        merged.back().second = std::max(merged.back().second, part.second);
-      else
-        merged.push_back(std::move(part));
-    return merged;
-  }
-
- private:
-  // Calls take(edge) for each edge of the base, as the patch has to look.
-  template <class Take>
-  void for_each_base(std::uint32_t patch, Near near, const Take& take) const {
-    const PatchCarriers2::Box own = PatchCarriers2::box_of(scene_.edges[patch]);
-    for (const std::uint32_t s : patches().under(patch)) {
-      // A patch that is a base itself may have moved a little.
-      const bool is_met =
-          patches().is_patch(s) ? own.meets(PatchCarriers2::box_of(scene_.edges[s])) : own.meets(carriers_.boxes_[s]);
-      if (near == Near::kYes && !is_met) continue;
-      const auto& [from, to] = scene_.edges[s];
-      take(patches().is_on_backs(patch) ? Edge2{to, from} : Edge2{from, to});
-    }
-  }
-
-  const Scene2& scene_;
-  const PatchCarriers2 carriers_;
-};
-
-namespace {
-
-// Where two lines meet; nothing where they are parallel.
-std::optional<Point2> crossing(const Edge2& a, const Edge2& b) {
-  const Rational across =
-      doubled_area({0, 0}, {a.to.x - a.from.x, a.to.y - a.from.y}, {b.to.x - b.from.x, b.to.y - b.from.y});
-  if (across == 0) return std::nullopt;
-  return point_at(a,
-                  doubled_area(a.from, b.from, {a.from.x + b.to.x - b.from.x, a.from.y + b.to.y - b.from.y}) / across);
-}
-
-class Seater {
- public:
-  Seater(Scene2& scene, const Rational& unit)
-      : scene_(scene), unit_(unit), bases_(scene), typed_(scene.edges), is_seated_(typed_.size(), 0) {}
-
-  void seat() {
-    const auto order = bases_.patches().outermost_first();
-    if (!order) return;
-    for (const std::uint32_t patch : *order) seat(patch);
-    for (std::uint32_t s = 0; s + 1 < scene_.edges.size(); ++s) join(s);
-    close_polylines();
-  }
-
- private:
-  // Whether something is near enough by the length of a patch or of the edge that it is put on.
-  bool is_near(std::uint32_t patch, const Edge2& line, const Rational& squared_distance) const {
-    return is_within_planarity(squared_distance, std::max(squared_length(typed_[patch]), squared_length(line)), unit_);
-  }
-
-  void seat(std::uint32_t patch) {
-    Edge2& edge = scene_.edges[patch];
-    for (const Support& support : bases_.supports(patch, Near::kYes)) {
-      if (!is_near(patch, support.edge, support.squared_off)) continue;
-      const Edge2& line = support.edge;
-      if (support.squared_off != 0)
-        for (Point2* end : {&edge.from, &edge.to}) *end = point_at(line, place_along(line, *end));
-      if (support.looks_alike) end_with_base(patch, line);
-      is_seated_[patch] = 1;
-      return;
-    }
-  }
-
-  // What is beyond an end of the base by a little ends there.
-  void end_with_base(std::uint32_t patch, const Edge2& line) {
-    Edge2& edge = scene_.edges[patch];
-    const Rational from = place_along(line, edge.from), to = place_along(line, edge.to);
-    for (const auto& [low, high] : bases_.covered(patch, line)) {
-      if (high <= from || low >= to) continue;
-      move_a_little(patch, line, std::max(from, low), edge.from);
-      move_a_little(patch, line, std::min(to, high), edge.to);
-      return;
-    }
-  }
-
-  void move_a_little(std::uint32_t patch, const Edge2& line, const Rational& place, Point2& point) const {
-    Point2 to = point_at(line, place);
-    if (is_near(patch, line, squared_distance(point, to))) point = std::move(to);
-  }
-
-  // Two pieces of a polyline meet again: on the line of both.
-  void meet(std::uint32_t s, std::uint32_t next) {
-    Point2 &end = scene_.edges[s].to, &begin = scene_.edges[next].from;
-    if (end == begin || typed_[s].to != typed_[next].from || is_seated_[s] == 0 || is_seated_[next] == 0) return;
-    const Point2 at = crossing(scene_.edges[s], scene_.edges[next]).value_or(end);
-    if (is_near(s, typed_[next], squared_distance(at, typed_[s].to))) end = begin = at;
-  }
-  bool are_of_one_polyline(std::uint32_t s, std::uint32_t next) const {
-    const Surface &a = scene_.surfaces[s], &b = scene_.surfaces[next];
-    return a.on && b.on && a.group == b.group;
-  }
-  void join(std::uint32_t s) {
-    if (are_of_one_polyline(s, s + 1)) meet(s, s + 1);
-  }
-  void close_polylines() {
-    for (std::uint32_t first = 0, s = 0; s < scene_.edges.size(); ++s) {
-      if (!are_of_one_polyline(first, s)) first = s;
-      const bool is_last = s + 1 == scene_.edges.size() || !are_of_one_polyline(s, s + 1);
-      if (is_last && first < s && are_of_one_polyline(first, s)) meet(s, first);
-    }
-  }
-
-  Scene2& scene_;
-  const Rational& unit_;
-  const PatchSupports2 bases_;
-  const std::vector<Edge2> typed_;
-  std::vector<char> is_seated_;  // by surface
-};
-
-// Says what is wrong with where patches lie.
-class Judge {
- public:
-  explicit Judge(const Scene2& scene) : scene_(scene), bases_(scene) {}
-
-  void judge() const {
-    for (std::uint32_t s = 0; s < scene_.edges.size(); ++s)
-      if (bases_.patches().is_patch(s)) judge(s);
-  }
-
- private:
-  [[noreturn]] void refuse(std::uint32_t patch, const std::string& what, const std::string& remedy) const {
-    throw InputError({scene_.file, scene_.surfaces[patch].line}, quoted_name(scene_.surfaces[patch].name) + " " + what,
-                     {remedy});
-  }
-  std::string base(std::uint32_t patch) const { return base_text(scene_.bases[*scene_.surfaces[patch].on]); }
-
-  void judge(std::uint32_t patch) const {
-    const std::vector<Support> supports = bases_.supports(patch, Near::kYes);
-    const auto on_line = std::ranges::find_if(supports, [](const Support& s) { return s.squared_off == 0; });
-    if (on_line == supports.end()) refuse_off(patch, bases_.supports(patch, Near::kNo));
-    if (!on_line->looks_alike) refuse_turned(patch);
-    const Edge2& edge = scene_.edges[patch];
-    Rational reached = 0;
-    for (const auto& [low, high] : bases_.covered(patch, edge)) {
-      if (high <= reached) continue;
-      if (low > reached) refuse_beyond(patch, reached, std::min(low, Rational(1)));
-      reached = high;
-      if (reached >= 1) return;
-    }
-    refuse_beyond(patch, reached, 1);
-  }
-
-  void refuse_turned(std::uint32_t patch) const {
-    const PatchBase& on = scene_.bases[*scene_.surfaces[patch].on];
-    refuse(patch, "looks the other way than " + base(patch) + ", on which it lies",
-           "list its points in the other order, or say that it is on '" + on.name + (on.is_back ? "" : ":back") + "'");
-  }
-
-  void refuse_beyond(std::uint32_t patch, const Rational& from, const Rational& to) const {
-    const Edge2& edge = scene_.edges[patch];
-    refuse(patch,
-           "leaves " + base(patch) + ", on which it lies, along " + text(point_at(edge, from)) + " to " +
-               text(point_at(edge, to)),
-           "shorten it, or make a surface without \"on\" of what is beyond");
-  }
-
-  // The farther end, and how far it is from the nearest edge of the base.
-  void refuse_off(std::uint32_t patch, const std::vector<Support>& supports) const {
-    const Edge2& edge = scene_.edges[patch];
-    if (supports.empty()) {
-      const std::uint32_t nearest = nearest_base(patch);
-      refuse(patch,
-             "does not lie on " + base(patch) + ": it runs beside it, from " + text(edge.from) + " to " + text(edge.to),
-             "put it on " + along(nearest));
-    }
-    const Edge2& line = std::ranges::min_element(supports, {}, &Support::squared_off)->edge;
-    const Rational from = squared_distance_to_line(line, edge.from), to = squared_distance_to_line(line, edge.to);
-    refuse(patch,
-           "does not lie on " + base(patch) + ": " + text(to > from ? edge.to : edge.from) + " is " +
-               length_text(std::max(from, to)) + " off its line",
-           "put its ends on the line from " + text(line.from) + " to " + text(line.to) +
-               ", or give them as many digits as that has");
-  }
-
-  std::uint32_t nearest_base(std::uint32_t patch) const {
-    const Point2& from = scene_.edges[patch].from;
-    return *std::ranges::min_element(bases_.patches().under(patch), {}, [&](std::uint32_t s) {
-      return squared_distance(nearest_on(scene_.edges[s], from), from);
-    });
-  }
-  std::string along(std::uint32_t s) const {
-    const Edge2& edge = scene_.edges[s];
-    return quoted_name(scene_.surfaces[s].name) + ", from " + text(edge.from) + " to " + text(edge.to);
-  }
-
-  const Scene2& scene_;
-  const PatchSupports2 bases_;
-};
-
-}  // namespace
-
-void seat_patches(Scene2& scene, const Rational& unit) {
-  if (!PatchBases(scene).is_empty()) Seater(scene, unit).seat();
-}
-
-void validate_patches(const Scene2& scene) {
-  if (!scene.bases.empty()) Judge(scene).judge();
-}
 
 PatchCarriers2::PatchCarriers2(const Scene2& scene) : scene_(&scene), bases_(scene) {
   if (bases_.is_empty()) return;
-  for (const Edge2& edge : scene.edges) boxes_.push_back(box_of(edge));
+  for (const Edge2& edge : scene.edges) boxes_.emplace_back(edge);
 }
 
-PatchCarriers2::Box PatchCarriers2::box_of(const Edge2& edge) {
+PatchCarriers2::Box::Box(const Edge2& edge) {
   constexpr double kPart = 2e-4;  // twice what the tolerance lets pass
+  constexpr double kAll = std::numeric_limits<double>::infinity();
   const auto [ax, ay] = to_doubles(edge.from);
   const auto [bx, by] = to_doubles(edge.to);
-  const double more = kPart * (std::abs(bx - ax) + std::abs(by - ay));
-  constexpr double kAll = std::numeric_limits<double>::infinity();
-  if (!std::isfinite(more)) return {-kAll, kAll, -kAll, kAll};
-  const auto below = [&](double a, double b) {
-    return std::nextafter(std::min(a, b) - more, -std::numeric_limits<double>::infinity());
+  const double sides = kPart * (std::abs(bx - ax) + std::abs(by - ay));
+  const double more = std::isfinite(sides) ? sides : kAll;  // an edge beyond the range of doubles may be anywhere
+  const auto is_far = [&](double value) { return !std::isfinite(value) || more == kAll; };
+  const auto below = [&](double p, double q) {
+    return is_far(p) || is_far(q) ? -kAll : std::nextafter(std::min(p, q) - more, -kAll);
   };
-  const auto above = [&](double a, double b) {
-    return std::nextafter(std::max(a, b) + more, std::numeric_limits<double>::infinity());
+  const auto above = [&](double p, double q) {
+    return is_far(p) || is_far(q) ? kAll : std::nextafter(std::max(p, q) + more, kAll);
   };
-  return {below(ax, bx), above(ax, bx), below(ay, by), above(ay, by)};
+  low_x = below(ax, bx);
+  high_x = above(ax, bx);
+  low_y = below(ay, by);
+  high_y = above(ay, by);
 }
 
 std::vector<std::uint32_t> PatchCarriers2::of(std::uint32_t patch) const {
@@ -321,7 +47,7 @@ std::vector<std::uint32_t> PatchCarriers2::of(std::uint32_t patch) const {
   for (const std::uint32_t s : bases_.under(patch)) {
     const Edge2& edge = scene_->edges[s];
     if (!boxes_[patch].meets(boxes_[s]) || edge.from == edge.to || !is_on_line(edge, own)) continue;
-    const Rational from = place_along(edge, own.from), to = place_along(edge, own.to);
+    const Rational from = position_on(edge, own.from), to = position_on(edge, own.to);
     if (std::max(from, to) > 0 && std::min(from, to) < 1) carriers.push_back(s);
   }
   return carriers;
@@ -359,21 +85,21 @@ Edge2 carried(const Edge2& patch, const std::vector<std::uint32_t>& carriers, co
               const Scene2& after) {
   const auto moved = [&](const Point2& end) {
     const auto has_it = [&](std::uint32_t s) {
-      const Rational place = place_along(before.edges[s], end);
+      const Rational place = position_on(before.edges[s], end);
       return 0 <= place && place <= 1;
     };
     const auto carrier = std::ranges::find_if(carriers, has_it);
     const std::uint32_t s = carrier == carriers.end() ? carriers.front() : *carrier;
-    return point_at(after.edges[s], place_along(before.edges[s], end));
+    return point_at(after.edges[s], position_on(before.edges[s], end));
   };
   return {moved(patch.from), moved(patch.to)};
 }
 
 // A patch that went from `old` to `now`, put back onto an edge; `now` where that cannot be.
 Edge2 slid(const Edge2& old, const Edge2& now, const Edge2& along) {
-  Rational from = place_along(along, now.from), to = place_along(along, now.to);
+  Rational from = position_on(along, now.from), to = position_on(along, now.to);
   const Rational length = abs(to - from);
-  if ((from < to) != (place_along(along, old.from) < place_along(along, old.to))) return now;
+  if ((from < to) != (position_on(along, old.from) < position_on(along, old.to))) return now;
   if (old.from == now.from || old.to == now.to) {
     from = std::clamp(from, Rational(0), Rational(1));
     to = std::clamp(to, Rational(0), Rational(1));

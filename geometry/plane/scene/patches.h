@@ -10,25 +10,19 @@
 
 namespace hottel {
 
-// Puts patches onto what they lie on: their ends onto the line of the base, exactly, where both are within the
-// planarity tolerance of it (is_within_planarity, by the longer of the two); and what then is beyond an end of the
-// base by no more than that onto the end. Pieces of a polyline that followed each other do so after.
-//
-//   (1) a patch whose ends lie on the line of its base and within it stays as it is; so does one that is farther off
-//   (2) patches on patches come after what they lie on
-//
-// `unit` is what the last digit of the coordinates stands for, 0 where they have none.
-void seat_patches(Scene2& scene, const Rational& unit);
-
-// Throws InputError naming file, line, patch, base and place, with the remedy, for a patch that does not lie on the
-// line of its base exactly, that looks the other way, or that leaves its base. REQUIRES validate_bases(scene). COST:
-// for each patch linear in the edges of its base.
-void validate_patches(const Scene2& scene);
-
 // What the patches of a scene lie on, where they are. It keeps the scene's address: the scene must stay where and as it
 // is. COST: linear; each question a comparison of doubles for each edge of the base.
 class PatchCarriers2 {
  public:
+  // What an edge lies in, rounding included, and a little more where the base of a patch may be.
+  struct Box {
+    double low_x, high_x, low_y, high_y;
+    explicit Box(const Edge2& edge);
+    bool meets(const Box& other) const {
+      return low_x <= other.high_x && other.low_x <= high_x && low_y <= other.high_y && other.low_y <= high_y;
+    }
+  };
+
   explicit PatchCarriers2(const Scene2& scene);
 
   const PatchBases& bases() const { return bases_; }
@@ -36,16 +30,6 @@ class PatchCarriers2 {
   std::vector<std::uint32_t> of(std::uint32_t patch) const;
 
  private:
-  friend class PatchSupports2;
-  // What an edge lies in, rounding included, and a little more where the base of a patch may be.
-  struct Box {
-    double low_x, high_x, low_y, high_y;
-    bool meets(const Box& other) const {
-      return low_x <= other.high_x && other.low_x <= high_x && low_y <= other.high_y && other.low_y <= high_y;
-    }
-  };
-  static Box box_of(const Edge2& edge);
-
   const Scene2* scene_;
   PatchBases bases_;
   std::vector<Box> boxes_;  // by surface; none without patches

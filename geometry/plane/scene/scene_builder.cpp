@@ -4,7 +4,7 @@
 
 #include "geometry/name.h"
 #include "geometry/patch_bases.h"
-#include "geometry/plane/scene/patches.h"
+#include "geometry/plane/scene/patch_seats.h"
 #include "geometry/plane/scene/scene_entries.h"
 #include "geometry/scene_names.h"
 #include "kernel/support/failure.h"

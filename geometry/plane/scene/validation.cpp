@@ -1,7 +1,7 @@
 #include "geometry/light_motion.h"
 #include "geometry/name.h"
 #include "geometry/number.h"
-#include "geometry/plane/scene/patches.h"
+#include "geometry/plane/scene/patch_seats.h"
 #include "geometry/plane/scene/scene.h"
 #include "kernel/decimal.h"
 #include "kernel/support/failure.h"

@@ -4,7 +4,7 @@
 
 #include "geometry/name.h"
 #include "geometry/space/scene/light_place_problem.h"
-#include "geometry/space/scene/patches.h"
+#include "geometry/space/scene/patch_seats.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {

@@ -2,7 +2,7 @@
 
 #include "geometry/name.h"
 #include "geometry/planarity.h"
-#include "geometry/plane/scene/patches.h"
+#include "geometry/plane/scene/patch_seats.h"
 #include "geometry/plane/scene/scene_entries.h"
 #include "io/scene/json_fields.h"
 #include "io/scene/table_reader.h"

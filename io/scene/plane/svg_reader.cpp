@@ -12,7 +12,7 @@
 #include "geometry/name.h"
 #include "geometry/patch_bases.h"
 #include "geometry/planarity.h"
-#include "geometry/plane/scene/patches.h"
+#include "geometry/plane/scene/patch_seats.h"
 #include "io/files/text_file.h"
 #include "io/scene/exact_decimal.h"
 #include "io/scene/plane/svg_geometry.h"

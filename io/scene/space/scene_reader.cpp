@@ -10,7 +10,7 @@
 #include "geometry/near_names.h"
 #include "geometry/planarity.h"
 #include "geometry/space/scene/near_plane.h"
-#include "geometry/space/scene/patches.h"
+#include "geometry/space/scene/patch_seats.h"
 #include "geometry/space/scene/seams.h"
 #include "io/scene/json_fields.h"
 #include "io/scene/space/mesh_reader.h"
