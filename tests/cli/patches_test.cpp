@@ -47,6 +47,14 @@ TEST(PatchesByHand, AreWhatTheMessageAboutConflictsOffers) {
                                HasSubstr(R"("on": "panel")")));
 }
 
+TEST(PatchesByHand, AreWhatTheCheckOffersToo) {
+  const Workplace place;
+  place.write("plane.json", with(kPlane, ""));
+  place.write("space.json", with(kSpace, ""));
+  EXPECT_THAT(place.run("hottel check plane.json").out, HasSubstr(R"("on": "room")"));
+  EXPECT_THAT(place.run("hottel check space.json").out, HasSubstr(R"("on": "panel")"));
+}
+
 TEST(PatchesByHand, HaveRowsOfTheirOwn) {
   const Workplace place;
   place.write("plane.json", with(kPlane, R"(, "on": "room")"));
