@@ -51,7 +51,6 @@ void validate_masks(const Scene3& scene) {
 // (3) to (5), but for the table.
 void validate_rest(const Scene3& scene) {
   validate_masks(scene);
-  validate_patches(scene);
   HOTTEL_REQUIRE(scene.light_places.size() == scene.lights.size());
   for (std::size_t k = 0; k < scene.lights.size(); ++k)
     if (const std::string problem = light_place_problem(scene, scene.lights[k], scene.light_places[k]);
@@ -76,6 +75,7 @@ void validate(const Scene3& scene) {
                        "polygon " + quoted_name(scene.surfaces[s].name) + " " + problem,
                        hint.empty() ? std::vector<std::string>() : std::vector{hint});
   }
+  validate_patches(scene);
   validate_rest(scene);
 }
 

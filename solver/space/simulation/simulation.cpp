@@ -125,6 +125,15 @@ bool is_same_shape(const Scene3& a, const Scene3& b) {
          std::ranges::equal(a.materials, b.materials, {}, &Material::name, &Material::name);
 }
 
+// Whether polygons, and what patches lie on, are the same.
+bool has_places_of(const Scene3& a, const Scene3& b) {
+  const auto is_alike = [](const Surface& s, const Surface& t) {
+    return s.on == t.on && s.group == t.group && s.name == t.name;
+  };
+  return a.polygons == b.polygons && a.bases == b.bases && a.groups == b.groups &&
+         std::ranges::equal(a.surfaces, b.surfaces, is_alike);
+}
+
 // Whether each light shines on the same: their shares are the same then.
 bool are_lit_alike(const Scene3& a, const Scene3& b) {
   if (a.lights.size() != b.lights.size()) return false;
@@ -368,7 +377,7 @@ Simulation3 Simulation3::with_materials(std::vector<Material> materials) const {
 }
 
 Simulation3 Simulation3::with_scene(Scene3 scene) const {
-  scene.polygons == version_->scene->polygons ? validate_but_polygons(scene) : validate(scene);
+  has_places_of(scene, *version_->scene) ? validate_but_polygons(scene) : validate(scene);
   return Simulation3(std::make_shared<const Version>(*version_, std::make_shared<const Scene3>(std::move(scene))));
 }
 
