@@ -12,6 +12,7 @@
 #include "cli/mesh_output.h"
 #include "cli/scene_input.h"
 #include "geometry/name.h"
+#include "geometry/planarity.h"
 #include "geometry/space/scene/near_plane.h"
 #include "io/scene/exact_decimal.h"
 #include "io/scene/plane/map_reader.h"
@@ -66,7 +67,7 @@ void convert_map(const ConvertOptions& options, Streams& streams) {
 // how the file holds a coordinate; nothing where it is no decimal.
 void note_lost_planes(const Scene3& scene,
                       const std::function<std::optional<std::string>(const Rational&)>& number_text, Streams& streams) {
-  FinestDigit3 finest;
+  FinestDigit finest;
   for (const Polygon3& polygon : scene.polygons)
     for (const Point3& p : corners_of(polygon))
       for (const Rational* coordinate : {&p.x, &p.y, &p.z})
@@ -162,8 +163,10 @@ void add_convert(Commands& commands) {
       "From an .svg: lines, polylines, polygons, rects and paths of straight pieces, exactly, y pointing up. The "
       "front\n"
       "of a line is its right side as drawn (a rect is a room); data-front=\"left\" turns it round. Names are ids,\n"
-      "materials classes or data-material, data-back is the material of the back. Curves, styles that move, resize or\n"
-      "hide, other data- keys and whatever else cannot be read exactly are refused, never dropped.\n"
+      "materials classes or data-material, data-back is the material of the back; data-on=\"wall\" makes it a part of\n"
+      "the wall, such as a window. Curves, styles that move, resize or hide, other data- keys and whatever else "
+      "cannot\n"
+      "be read exactly are refused, never dropped.\n"
       "From a .geojson or .wkt: polygons with their holes, and lines, exactly. A polygon is a room and its holes are "
       "solid;\n"
       "--front outside makes it a building with courtyards.\n"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/scene_input.h"
+#include "geometry/name.h"
 #include "geometry/scene_names.h"
 #include "geometry/space/arrangement/arrangement.h"
 #include "geometry/space/exchange/pair_report.h"
@@ -79,6 +80,17 @@ bool has_place(const Piece3& piece, bool is_back, const Point3& eye) {
                      [&](const Polygon3& polygon) { return contains(polygon, eye); });
 }
 
+// The surface that has the side of a plane at a point of one that lies there, where that has not.
+std::optional<std::uint32_t> owner_at(const Arrangement3& arrangement, std::uint32_t surface, const Look3& look) {
+  for (const std::uint32_t p : arrangement.pieces_on(surface)) {
+    const Piece3& piece = arrangement.pieces()[p];
+    const bool is_back = dot(doubled_area(piece.polygon), *look.normal - Point3{}) < 0;
+    const std::uint32_t owner = piece.side(is_back).owner.surface;
+    if (owner != surface && has_place(piece, is_back, look.eye)) return owner;
+  }
+  return std::nullopt;
+}
+
 // A place of a face from which nothing of the scene is seen as from that face: in a solid, or another one's.
 void refuse_lost_place(const Scene3& scene, const Arrangement3& arrangement, const std::string& at,
                        const std::string& on, const Look3& look) {
@@ -101,6 +113,9 @@ void refuse_lost_place(const Scene3& scene, const Arrangement3& arrangement, con
   if (const auto mesh = arrangement.solids().behind({&frame, frame.flat(look.eye), is_up}))
     throw RequestError("'" + on + "' at " + at + " looks into the solid '" + arrangement.solids().meshes()[*mesh].name +
                        "'");
+  if (const auto owner = owner_at(arrangement, face.surface, look))
+    throw RequestError("'" + on + "' at " + at + " is the place of " + (scene.surfaces[*owner].on ? "the patch " : "") +
+                       quoted_name(scene.surfaces[*owner].name));
   throw RequestError("'" + on + "' at " + at + " is the place of another surface");
 }
 

@@ -39,6 +39,8 @@ struct Surface {
   // nothing.
   bool is_obstruction = false;
   MeshPlace in_mesh{};  // of a face of a mesh
+  // It is a patch: it lies on what SceneTable::bases has there, and takes its part of that.
+  std::optional<std::uint32_t> on{};
   // Elements below the equal parts. No file has any: they come of what is simulated.
   SurfaceTrees trees{};
 
@@ -46,7 +48,8 @@ struct Surface {
   // Whether two are one but for how they are divided; are divided alike.
   static bool is_alike_undivided(const Surface& a, const Surface& b) {
     return a.name == b.name && a.material == b.material && a.back == b.back && a.group == b.group && a.line == b.line &&
-           a.in_mesh.file == b.in_mesh.file && a.in_mesh.line == b.in_mesh.line && a.is_obstruction == b.is_obstruction;
+           a.in_mesh.file == b.in_mesh.file && a.in_mesh.line == b.in_mesh.line &&
+           a.is_obstruction == b.is_obstruction && a.on == b.on;
   }
   static bool is_divided_alike(const Surface& a, const Surface& b) {
     return a.elements == b.elements && a.trees == b.trees;
@@ -58,6 +61,14 @@ struct Surface {
     return is_back ? back : std::optional(material);
   }
   friend bool operator==(const Surface&, const Surface&) = default;
+};
+
+// What patches lie on: the fronts or the backs of the surface of that name, or of the surfaces of the group of that
+// name that do not lie on it themselves (PatchBases).
+struct PatchBase {
+  std::string name;
+  bool is_back = false;
+  friend bool operator==(const PatchBase&, const PatchBase&) = default;
 };
 
 // What is behind the backs of a group.
@@ -97,8 +108,9 @@ struct Expectation {
 // promise of its author: no front with a material sees the sky.
 //
 //   (1) names are not empty, unique after expansion, none is "sky"; see docs/scene_format.md
-//   (2) every material and group index is valid; an obstruction has no material, on either side
+//   (2) every material, group and base index is valid; an obstruction has no material, on either side, and is no patch
 //   (3) the unit is a name and nothing more: no number is converted (unit_problem)
+//   (4) bases name surfaces or groups, and no patch lies on itself, by way of others neither (validate_bases)
 struct SceneTable {
   std::string file;                  // for messages; may be a description when the scene was not read from a file
   std::vector<std::string> sources;  // files of meshes that surfaces stand in, and what these name: it was read too
@@ -106,7 +118,8 @@ struct SceneTable {
   std::vector<Material> materials;
   std::vector<Surface> surfaces;  // in the order of the file
   std::vector<Group> groups;
-  std::vector<Light> lights;  // but for where they are, which the scene of each dimension knows
+  std::vector<PatchBase> bases;  // of patches, used or not
+  std::vector<Light> lights;     // but for where they are, which the scene of each dimension knows
   Spectrum sky_emission;
   bool closed = false;
   std::vector<Expectation> expect;
@@ -129,10 +142,10 @@ std::string_view unit_problem(std::string_view unit);
 std::string length_unit(const SceneTable& table);
 
 // Throws InputError naming file, line and surface unless the names of surfaces are allowed (name_problem) and unique,
-// the indices of their materials and groups are valid and their elements from 1 to kMaxElements, and spectra are in
-// their ranges (Material), of one value where they are scalars, and unless no light has a problem (light_problem) and
-// no two the same name. Where two surfaces share a name, the later one is refused and the line of the first is told.
-// COST: linear.
+// the indices of their materials, groups and bases are valid and their elements from 1 to kMaxElements, and spectra are
+// in their ranges (Material), of one value where they are scalars, and unless no light has a problem (light_problem)
+// and no two the same name, and unless patches have bases (validate_bases). Where two surfaces share a name, the later
+// one is refused and the line of the first is told. COST: linear.
 void validate_table(const SceneTable& table);
 
 // Makes the spectra of materials and lights that were added to a scene of two bands such: of a lamp and of a light the

@@ -33,6 +33,15 @@ void StoreKey::add_table(const SceneTable& scene) {
     add_count(static_cast<std::uint64_t>(group.behind));
     if (!group.body.empty()) add(group.body);
   }
+  // Only what says "on" changes keys: what was kept of other scenes is taken.
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    if (!scene.surfaces[s].on) continue;
+    const PatchBase& base = scene.bases[*scene.surfaces[s].on];
+    add("on");
+    add_count(s);
+    add(base.name);
+    add_count(base.is_back ? 1 : 0);
+  }
   add_count(scene.surfaces.size());
   for (const Surface& surface : scene.surfaces) {
     add(surface.name);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/planarity.h"
 #include "geometry/plane/scene/moving_lights.h"
 #include "geometry/plane/scene/polyline_runs.h"
 #include "geometry/space/scene/near_plane.h"
@@ -77,7 +78,7 @@ std::string light_members(const Light& light, const LightPlace2& place) {
 class CornerWriter3 {
  public:
   explicit CornerWriter3(const Scene3& scene) {
-    FinestDigit3 finest;
+    FinestDigit finest;
     for (const Polygon3& polygon : scene.polygons)
       if (polygon.is_nearly_plane)
         for (const Point3& p : corners_of(polygon))
@@ -101,7 +102,7 @@ class CornerWriter3 {
   }
   std::string number(const Rational& x) const {
     if (unit_ == 0 || x.get_den() == 1) return json_number(x);
-    FinestDigit3 own;
+    FinestDigit own;
     own.take(digits(x));
     return own.unit() == 0 || own.unit() >= unit_ ? json_number(x) : fmt::format("\"{}\"", to_string(x));
   }

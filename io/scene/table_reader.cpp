@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/name.h"
+#include "geometry/patch_bases.h"
 #include "geometry/scene_names.h"
 
 namespace hottel {
@@ -217,8 +218,8 @@ SceneEntry TableReader::read_entry(const JsonValue& value, const std::string& de
     }
   entry.owner = std::string(noun) + " " + quoted_name(entry.name);
 
-  constexpr std::array<std::string_view, 7> kCommon{"name",     "points", "material", "back",
-                                                    "elements", "about",  "behind"};
+  constexpr std::array<std::string_view, 8> kCommon{"name",     "points", "material", "back",
+                                                    "elements", "about",  "behind",   "on"};
   std::vector<std::string_view> keys(kCommon.begin(), kCommon.end());
   keys.insert(keys.end(), more.begin(), more.end());
   std::vector<JsonValue> members(keys.size());
@@ -226,6 +227,7 @@ SceneEntry TableReader::read_entry(const JsonValue& value, const std::string& de
   const JsonValue material = members[2], back = members[3], elements = members[4], about = members[5];
   entry.points = members[1];
   entry.behind = members[6];
+  entry.on = members[7];
   entry.more.assign(members.begin() + kCommon.size(), members.end());
   require_member(entry.points, "points", value, {entry.owner});
   entry.surface.is_obstruction = is_obstruction(keys, members, entry.owner);
@@ -239,11 +241,23 @@ SceneEntry TableReader::read_entry(const JsonValue& value, const std::string& de
   if (back) entry.surface.back = material_of(back, {entry.owner, "back"});
   if (elements) entry.surface.elements = read_count(elements, kMaxElements, {entry.owner, "elements"});
   if (about) read_string(about, {entry.owner, "about"});
+  if (entry.on) entry.surface.on = base_of(entry.on, entry);
 
   entry.surface.group = static_cast<std::uint32_t>(table_.groups.size());
   table_.groups.emplace_back(entry.name,
                              entry.behind ? read_behind(entry.behind, {entry.owner, "behind"}) : Behind::kByOutline);
   return entry;
+}
+
+std::uint32_t TableReader::base_of(const JsonValue& on, const SceneEntry& entry) {
+  if (entry.behind)
+    refuse(entry.behind,
+           entry.owner + " lies on another surface (\"on\"): it makes nothing solid, and has no \"behind\"");
+  const std::string name = read_string(on, {entry.owner, "on"});
+  if (const auto [place, is_new] = base_index_.emplace(name, static_cast<std::uint32_t>(table_.bases.size())); !is_new)
+    return place->second;
+  table_.bases.push_back(patch_base(name));
+  return static_cast<std::uint32_t>(table_.bases.size()) - 1;
 }
 
 Behind read_behind(const JsonValue& value, const Subject& subject) {

@@ -22,7 +22,7 @@ inline constexpr std::array<std::string_view, 15> kSceneKeys{"hottel",    "dimen
 
 // One item of "edges", "polylines" or "polygons", but for its points.
 struct SceneEntry {
-  JsonValue value, points, behind;
+  JsonValue value, points, behind, on;
   std::string name;
   std::string owner;            // for messages: "edge 'lamp'"
   std::vector<JsonValue> more;  // members beyond those that all have, in the order of the keys asked for
@@ -77,14 +77,14 @@ class TableReader {
   // Returns the index of the material of that name; refuses one that is not defined.
   std::uint32_t material_of(const JsonValue& value, const Subject& subject) const;
 
-  // Reads an item and makes a group of its name. Keys beyond name, points, material, back, elements, about and behind
-  // are those of `more`.
+  // Reads an item and makes a group of its name. Keys beyond name, points, material, back, elements, about, behind and
+  // on are those of `more`.
   //
   //   (1) `points` and `material` must be there; points are a list, which the caller reads. Where `more` has
   //       "obstruction" and it is true, `material` and `back` must not be there
   //   (2) an item without a name has the default one; a name that cannot be one is refused, and the reason is told
   //   (3) elements are from 1 to kMaxElements; "behind" is "solid" or "open", and left to the outline where
-  //       it is not given
+  //       it is not given. "on" is the name of a base; it does not stand beside "behind"
   SceneEntry read_entry(const JsonValue& value, const std::string& default_name, std::string_view noun,
                         std::span<const std::string_view> more = {});
 
@@ -106,12 +106,14 @@ class TableReader {
     JsonValue solar;      // "solar", as far as it is there
     JsonValue only_then;  // what goes with two bands alone: "band", an emissivity of an insulated material
   };
+  std::uint32_t base_of(const JsonValue& on, const SceneEntry& entry);
   void refuse_what_needs_bands() const;
   void read_solar(const BandWords& words, Rational& reflectivity, Rational& emission) const;
   void read_expectation(const JsonValue& value, const std::string& owner);
 
   SceneTable& table_;
   std::unordered_map<std::string_view, std::uint32_t> material_index_;
+  std::unordered_map<std::string, std::uint32_t> base_index_;
   std::vector<BandWords> of_materials_, of_lights_;  // in their order
   BandWords of_sky_{};
 };

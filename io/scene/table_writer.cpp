@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "geometry/grey_temperature.h"
+#include "geometry/patch_bases.h"
 #include "io/scene/exact_decimal.h"
 #include "kernel/decimal.h"
 #include "kernel/support/failure.h"
@@ -211,6 +212,7 @@ std::string surface_members(const SceneTable& table, const Surface& surface) {
     text += behind == Behind::kSolid ? ", \"behind\": \"solid\"" : ", \"behind\": \"open\"";
   if (const std::string& body = table.groups[surface.group].body; !body.empty())
     text += ", \"body\": " + json_string(body);
+  if (surface.on) text += ", \"on\": " + json_string(base_name(table.bases[*surface.on]));
   if (surface.elements != 1) text += fmt::format(", \"elements\": {}", surface.elements);
   return text;
 }

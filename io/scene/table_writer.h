@@ -43,7 +43,8 @@ void write_lights(const SceneTable& table, const std::function<std::string(std::
                   std::string& out);
 void write_expectations(const SceneTable& table, std::string& out);
 
-// Returns the members of a surface but for its name and shape: material, back, what is behind it, elements.
+// Returns the members of a surface but for its name and shape: material, back, what is behind it, what it lies
+// on, elements.
 std::string surface_members(const SceneTable& table, const Surface& surface);
 
 }  // namespace hottel

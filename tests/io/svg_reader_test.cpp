@@ -275,10 +275,22 @@ TEST(SvgReader, RefusesWhatChangesADrawingFromOutside) {
 }
 
 TEST(SvgReader, RefusesDataKeysItDoesNotKnowAndListsThoseItDoes) {
-  EXPECT_THAT(
-      refusal(svg("<g data-colour='red'><line x2='1'/></g>")),
-      HasSubstr("plan.svg:2: <g> has 'data-colour': of such keys only data-material, data-back and data-front"));
+  EXPECT_THAT(refusal(svg("<g data-colour='red'><line x2='1'/></g>")),
+              HasSubstr("plan.svg:2: <g> has 'data-colour': of such keys only data-material, data-back, data-front and "
+                        "data-on are known"));
   EXPECT_THAT(refusal("<svg data-name='x'><line x2='1'/></svg>"), HasSubstr("<svg> has 'data-name'"));
+}
+
+TEST(SvgReader, DataOnMakesPatchesAlsoOfAGroup) {
+  const Scene2 scene = parse_svg_2(
+      svg("<g data-on='hall'><line id='w' x1='0' y1='2' x2='0' y2='1'/><path id='p' d='M1,0 h1 M3,0 h1'/></g>"
+          "<line id='back' x1='0' y1='1' x2='0' y2='2' data-on='hall:back'/>"
+          "<polygon id='hall' points='0,0 4,0 4,3 0,3'/>"),
+      "plan.svg");
+  EXPECT_TRUE(scene.bases == (std::vector<PatchBase>{{"hall", false}, {"hall", true}}));
+  for (const char* name : {"w", "p.1[0]", "p.2[0]"}) EXPECT_EQ(scene.surfaces[*scene.find(name)].on, 0u) << name;
+  EXPECT_EQ(scene.surfaces[*scene.find("back")].on, 1u);
+  EXPECT_FALSE(scene.surfaces[*scene.find("hall[0]")].on);
 }
 
 TEST(SvgReader, RefusesEntitiesThatAreUsed) {

@@ -32,11 +32,19 @@ std::vector<Segment2> number_in_space(const std::vector<Edge2>& edges, PointInde
   return segments;
 }
 
+bool is_shorter(const Scene2& scene, const Face& a, const Face& b) {
+  const auto squared_length = [&](const Face& face) -> Rational {
+    const auto& [from, to] = scene.edges[face.surface];
+    return (to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y);
+  };
+  return squared_length(a) < squared_length(b);
+}
+
 std::string text(const Point2& p) { return "(" + to_string(p.x) + ", " + to_string(p.y) + ")"; }
 
 }  // namespace
 
-Arrangement2::Arrangement2(const Scene2& scene, const Division2& division, Conflicts2 conflicts) {
+Arrangement2::Arrangement2(const Scene2& scene, const Division2& division, Conflicts2 conflicts) : patches_(scene) {
   HOTTEL_REQUIRE(division.size() == scene.surfaces.size());
   PointIndex2 index;
   segments_ = number_in_space(scene.edges, index);
@@ -109,6 +117,7 @@ class SurfaceMarks {
 Arrangement2 Arrangement2::cut_into(const Scene2& scene, const Division2& division) const {
   HOTTEL_REQUIRE(division.size() == scene.surfaces.size() && segments_.size() == scene.surfaces.size());
   Arrangement2 result;
+  result.patches_ = patches_;
   PointIndex2 index;
   for (const VertexId v : vertices().ids()) index.insert(vertices().to_scene(vertices().exact(v)));
   std::vector<std::vector<VertexId>> marks;
@@ -212,7 +221,7 @@ SideOwner2 Arrangement2::claims(const Scene2& scene, PieceSideId side,
   const PieceSideId behind = opposite(side);
   const SilentGroups2 is_silent = [&](std::uint32_t group) { return solids_.is_inside_of(behind, group); };
   const bool lies_on_solid = is_covered(behind) && has_material_on(scene, covering, !right);
-  return owner_of_side(scene, covering, right, lies_on_solid ? is_silent : SilentGroups2());
+  return owner_of_side(scene, patches_, covering, right, lies_on_solid ? is_silent : SilentGroups2());
 }
 
 void Arrangement2::refuse_conflict(const Scene2& scene, PieceSideId side, const SideOwner2& claims) const {
@@ -226,11 +235,14 @@ void Arrangement2::refuse_conflict(const Scene2& scene, PieceSideId side, const 
           text(vertices().to_scene(vertices().exact(p.a))) + " to " + text(vertices().to_scene(vertices().exact(p.b))),
       {"materials '" + owner.material->name + "' and '" + rival->material->name + "', on the " +
            (is_right(side) ? "right" : "left") + " of that piece",
-       "give both the same material, or take one of the surfaces away"});
+       "give both the same material, or take one of the surfaces away",
+       patch_hint(scene, is_shorter(scene, owner.face, rival->face) ? owner.face : rival->face,
+                  is_shorter(scene, owner.face, rival->face) ? rival->face : owner.face)});
 }
 
 Arrangement2 Arrangement2::restricted_to(const std::vector<std::uint32_t>& kept) const {
   Arrangement2 result;
+  result.patches_ = patches_;
   PointIndex2 index;
   const auto id_of = [&](VertexId v) { return index.insert(vertices().to_scene(vertices().exact(v))); };
   result.overlay_.source_begin.push_back(0);

@@ -25,7 +25,9 @@ enum class Conflicts2 : bool { kRefused, kFirstWins };
 //   (2) pieces, vertices and owners do not depend on how the pieces were found
 //   (3) sides that look into a solid are covered: they belong to no face and stay opaque. Where a face with a material
 //       looks into a solid and lies on a front of it, that front makes no claim: the other side is of what lies on it
-//   (4) where surfaces are cut decides nothing of this: pieces of an arrangement that is cut are parts of pieces of the
+//   (4) a patch wins over what it lies on, the innermost first: that makes no claim where the patch does. A patch has a
+//       back only with a material; else what it lies on keeps its own there (PatchBases)
+//   (5) where surfaces are cut decides nothing of this: pieces of an arrangement that is cut are parts of pieces of the
 //       one that is not, and their sides belong to the same faces
 class Arrangement2 {
  public:
@@ -60,6 +62,8 @@ class Arrangement2 {
   // Who gets a side, and who else claims it. Throws ContractViolation where the side is covered. REQUIRES: the scene
   // that this was made of, which must outlive the result.
   SideOwner2 claims(const Scene2& scene, PieceSideId side) const;
+  // What the patches of the scene lie on.
+  const PatchBases& patches() const { return patches_; }
   std::size_t side_count() const { return owner_.size(); }
   IdRange<PieceSideId> sides() const { return IdRange<PieceSideId>(side_count()); }
 
@@ -86,6 +90,7 @@ class Arrangement2 {
   SideOwner2 claims(const Scene2& scene, PieceSideId side, const std::vector<PieceSource2>& covering) const;
   [[noreturn]] void refuse_conflict(const Scene2& scene, PieceSideId side, const SideOwner2& claims) const;
 
+  PatchBases patches_;
   Overlay2 overlay_;
   std::size_t typed_points_ = 0;         // ends of surfaces among the vertices, which come first
   std::vector<Segment2> segments_;       // input of the overlay; where surfaces are cut, their parts

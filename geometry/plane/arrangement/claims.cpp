@@ -19,12 +19,20 @@ Claim2 claim_of(const Scene2& scene, const PieceSource2& source, bool right) {
 
 }  // namespace
 
-SideOwner2 owner_of_side(const Scene2& scene, const std::vector<PieceSource2>& covering, bool right,
-                         const SilentGroups2& is_silent) {
-  std::optional<SideOwner2> side;
+SideOwner2 owner_of_side(const Scene2& scene, const PatchBases& patches, const std::vector<PieceSource2>& covering,
+                         bool right, const SilentGroups2& is_silent) {
+  if (covering.size() == 1) return {claim_of(scene, covering.front(), right), std::nullopt};
+  std::vector<Claim2> claims;
+  std::vector<Face> there, silent;
   for (const PieceSource2& source : covering) {
-    const Claim2 claim = claim_of(scene, source, right);
-    if (is_silent && !claim.face.is_back && is_silent(scene.surfaces[source.surface].group)) continue;
+    claims.push_back(claim_of(scene, source, right));
+    there.push_back(claims.back().face);
+  }
+  if (is_silent)
+    silent = silent_fronts(patches, there, [&](std::uint32_t s) { return is_silent(scene.surfaces[s].group); });
+  std::optional<SideOwner2> side;
+  for (const Claim2& claim : claims) {
+    if (std::ranges::find(silent, Face(claim.face)) != silent.end() || !patches.has_place(claim.face, there)) continue;
     if (!side)
       side = {claim, std::nullopt};
     else if (claim.material != nullptr && side->owner.material == nullptr)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/face.h"
+#include "geometry/patch_bases.h"
 #include "geometry/plane/scene/scene.h"
 
 namespace hottel {
@@ -42,13 +43,14 @@ using SilentGroups2 = std::function<bool(std::uint32_t group)>;
 //
 //   (1) the owner is the first face there that has a material; where none has one, the first black back
 //   (2) the rival is the first later face with a material that acts otherwise (Material); nothing where all act alike
-//   (3) a front of a group that is_silent names is passed over; its back is not
+//   (3) a front of a group that is_silent names is passed over; its back is not. So is the front of a patch on it
+//   (4) faces without a place beside patches are passed over (PatchBases::has_place)
 //
 // The materials pointed to are those of the scene, which must outlive the result. Throws ContractViolation when
 // nothing is left to own the side.
-// REQUIRES: `covering` is in the order of the scene.
-SideOwner2 owner_of_side(const Scene2& scene, const std::vector<PieceSource2>& covering, bool right,
-                         const SilentGroups2& is_silent = {});
+// REQUIRES: `covering` is in the order of the scene, of which `patches` are the bases.
+SideOwner2 owner_of_side(const Scene2& scene, const PatchBases& patches, const std::vector<PieceSource2>& covering,
+                         bool right, const SilentGroups2& is_silent = {});
 
 // True iff a face with a material is on the right (left) side of a piece, silent or not.
 bool has_material_on(const Scene2& scene, const std::vector<PieceSource2>& covering, bool right);

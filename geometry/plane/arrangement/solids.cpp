@@ -106,6 +106,7 @@ class SolidFinder {
     std::vector<NetRun2> runs;
     for (const PieceSource2& source : sources) {
       const Surface& surface = scene_.surfaces[source.surface];
+      if (surface.on) continue;  // a patch bounds nothing: what it lies on does
       if (looks_ == Looks::kAll || behind(surface.group) != Behind::kByOutline) {
         const PieceSideId left = left_side(piece), right = right_side(piece);
         Sight& sight = sight_[surface.group];

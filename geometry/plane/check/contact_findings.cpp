@@ -5,29 +5,40 @@
 #include <algorithm>
 
 #include "geometry/name.h"
+#include "geometry/patch_bases.h"
 #include "geometry/plane/check/wording.h"
+#include "geometry/plane/scene/closest_point.h"
+#include "geometry/plane/scene/patches.h"
 
 namespace hottel {
 namespace {
 
 class ContactTeller {
  public:
-  ContactTeller(const Scene2& scene, const Contacts2& contacts) : scene_(scene), contacts_(contacts) {}
+  ContactTeller(const Scene2& scene, const Contacts2& contacts)
+      : scene_(scene), contacts_(contacts), carriers_(scene) {}
 
   Findings2 tell() {
     find_silent();
     for (const Overlap2& overlap : contacts_.overlaps) find_conflicts(overlap);
     for (const Conflict& conflict : conflicts_) tell_conflict(conflict);
     for (const Overlap2& overlap : contacts_.overlaps)
-      if (const auto surfaces = surfaces_of(overlap); !is_in_conflict(surfaces) && !is_held(surfaces))
+      if (const auto surfaces = surfaces_of(overlap);
+          !is_in_conflict(surfaces) && !is_held(surfaces) && !is_said(surfaces))
         tell_overlap(overlap);
     for (const auto& surfaces : contacts_.duplicates)
-      if (!is_held(surfaces)) tell_duplicate(surfaces);
+      if (!is_held(surfaces) && !is_said(surfaces)) tell_duplicate(surfaces);
     for (std::uint32_t s = 0; s < scene_.surfaces.size(); ++s) tell_nothing_left(s);
-    for (const Junction2& junction : contacts_.junctions)
+    for (Junction2 junction : contacts_.junctions) {
+      leave_out_patches(junction.ends);
+      leave_out_patches(junction.through);
+      if (junction.ends.empty() || junction.through.empty()) continue;
       if (!junction.is_in_solid && !is_held(united(junction.ends, junction.through))) tell_junction(junction);
-    for (const Crossing2& crossing : contacts_.crossings)
-      if (!crossing.is_in_solid && !is_held(crossing.surfaces)) tell_crossing(crossing);
+    }
+    for (Crossing2 crossing : contacts_.crossings) {
+      leave_out_patches(crossing.surfaces);
+      if (crossing.surfaces.size() > 1 && !crossing.is_in_solid && !is_held(crossing.surfaces)) tell_crossing(crossing);
+    }
     return std::move(findings_);
   }
 
@@ -40,6 +51,17 @@ class ContactTeller {
   static std::vector<std::uint32_t> united(std::vector<std::uint32_t> a, const std::vector<std::uint32_t>& b) {
     a.insert(a.end(), b.begin(), b.end());
     return a;
+  }
+
+  // Whether the innermost of the surfaces is a patch that lies on all others: then they say what is there.
+  bool is_said(const std::vector<std::uint32_t>& surfaces) const {
+    return std::ranges::any_of(surfaces, [&](std::uint32_t patch) {
+      return std::ranges::all_of(surfaces, [&](std::uint32_t s) { return s == patch || patches_.rests_on(patch, s); });
+    });
+  }
+  // What touches a patch touches what that lies on.
+  void leave_out_patches(std::vector<std::uint32_t>& surfaces) const {
+    std::erase_if(surfaces, [this](std::uint32_t s) { return patches_.is_patch(s); });
   }
 
   // At most one of the surfaces is not held by a solid.
@@ -95,7 +117,16 @@ class ContactTeller {
                      "light meets there is not defined",
                      name(owner.face), name(rival.face), is_right ? "right" : "left", place_text(from), place_text(to),
                      quoted_name(owner.material->name), quoted_name(rival.material->name)),
-         "give both the same material, or take one of the surfaces away there"});
+         "give both the same material, or take one of the surfaces away there; " +
+             patch_hint_of(owner.face, rival.face)});
+  }
+
+  // Of two faces that of the shorter surface may be a patch on the other.
+  std::string patch_hint_of(const Face& a, const Face& b) const {
+    const auto squared = [this](const Face& face) {
+      return squared_distance(scene_.edges[face.surface].from, scene_.edges[face.surface].to);
+    };
+    return squared(a) < squared(b) ? patch_hint(scene_, a, b) : patch_hint(scene_, b, a);
   }
 
   static bool is_solid(const OverlapSide2& side) { return side.solid != Solids2::kNone; }
@@ -187,17 +218,32 @@ class ContactTeller {
     const bool front = !is_held(s) && is_lost({s, false}) && is_silent_[s] == 0,
                back = !is_held(s) && is_lost({s, true});
     if (!front && !back) return;
+    const std::string lost = front && back ? "front and back" : front ? "the front" : "the back";
+    if (const std::vector<std::uint32_t> patches = patches_of(s); !patches.empty()) {
+      findings_.push_back({Severity::kNote,
+                           "nothing-left",
+                           {s},
+                           middle(scene_.edges[s]),
+                           fmt::format("nothing is left of {} of {} beside the patch{} on it, {}: it has no rows", lost,
+                                       name(s), patches.size() == 1 ? "" : "es", names_text(scene_, patches)),
+                           "nothing to do where that is meant"});
+      return;
+    }
     findings_.push_back({Severity::kWarning,
                          "nothing-left",
                          {s},
                          middle(scene_.edges[s]),
                          fmt::format("nothing is left of {} of {}: surfaces listed before it own all of it, so it has "
                                      "no rows and takes no part in the exchange of light",
-                                     front && back ? "front and back"
-                                     : front       ? "the front"
-                                                   : "the back",
-                                     name(s)),
+                                     lost, name(s)),
                          "take it away, or list it before what covers it"});
+  }
+
+  std::vector<std::uint32_t> patches_of(std::uint32_t s) const {
+    std::vector<std::uint32_t> patches;
+    for (std::uint32_t p = 0; p < scene_.surfaces.size(); ++p)
+      if (patches_.lies_on(p, s) && std::ranges::count(carriers_.of(p), s) > 0) patches.push_back(p);
+    return patches;
   }
 
   void tell_junction(const Junction2& junction) {
@@ -217,6 +263,8 @@ class ContactTeller {
 
   const Scene2& scene_;
   const Contacts2& contacts_;
+  const PatchCarriers2 carriers_;
+  const PatchBases& patches_ = carriers_.bases();
   std::vector<Conflict> conflicts_;
   std::vector<char> is_silent_;  // by surface
   Findings2 findings_;

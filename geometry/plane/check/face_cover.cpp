@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "geometry/name.h"
 #include "geometry/plane/scene/closest_point.h"
@@ -76,9 +77,8 @@ FaceCover2::FaceCover2(const Scene2& scene, const Arrangement2& arrangement)
 
 namespace {
 
-// The solid that a face looks into at a place (just after it, at its end just before it); Solids2::kNone where it is
-// free.
-std::uint32_t solid_at(const PreparedScene2& prepared, const Face& face, const Rational& t) {
+// The side of a piece that a face has, or would have, at a place: just after it, at its end just before it.
+std::optional<PieceSideId> side_at(const PreparedScene2& prepared, const Face& face, const Rational& t) {
   const Arrangement2& arrangement = prepared.arrangement;
   const Edge2& edge = prepared.scene.edges[face.surface];
   const auto place = [&](VertexId v) {
@@ -91,9 +91,9 @@ std::uint32_t solid_at(const PreparedScene2& prepared, const Face& face, const R
       const Rational &low = std::min(a, b), &high = std::max(a, b);
       if (t < low || t > high || (t == high && t < 1)) continue;
       const bool right = source.is_reversed == face.is_back;
-      return arrangement.solids().maker(right ? right_side(piece) : left_side(piece));
+      return right ? right_side(piece) : left_side(piece);
     }
-  return Solids2::kNone;
+  return std::nullopt;
 }
 
 // "scene.json:4: the front of 'floor'"
@@ -116,9 +116,18 @@ void require_free(const PreparedScene2& prepared, const Face& face) {
 }
 
 void require_free_at(const PreparedScene2& prepared, const Face& face, const Rational& t) {
-  if (const std::uint32_t solid = solid_at(prepared, face, t); solid != Solids2::kNone)
-    throw RequestError(fmt::format("{} looks into {} at t = {}: nothing is seen there", face_text(prepared.scene, face),
-                                   solid_text(prepared.scene, solid), to_string(t)));
+  const std::optional<PieceSideId> side = side_at(prepared, face, t);
+  if (!side) return;
+  const auto refuse = [&](const std::string& what) {
+    throw RequestError(
+        fmt::format("{} {} at t = {}: nothing is seen there", face_text(prepared.scene, face), what, to_string(t)));
+  };
+  const Arrangement2& arrangement = prepared.arrangement;
+  if (const std::uint32_t solid = arrangement.solids().maker(*side); solid != Solids2::kNone)
+    refuse("looks into " + solid_text(prepared.scene, solid));
+  const std::uint32_t owner = arrangement.owner(*side).surface;
+  if (owner != face.surface && arrangement.patches().is_patch(owner))
+    refuse("gives way to the patch " + quoted_name(prepared.scene.surfaces[owner].name));
 }
 
 }  // namespace hottel

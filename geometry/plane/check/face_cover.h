@@ -31,8 +31,8 @@ struct FaceCover2 {
 // Throws RequestError, naming the solid, where a face looks into solids all along.
 void require_free(const PreparedScene2& prepared, const Face& face);
 
-// Throws RequestError, naming the solid, where a face looks into a solid at the place t: just after it, or just before
-// it at the end of the face. REQUIRES: 0 <= t <= 1.
+// Throws RequestError, naming the solid or the patch, where a face looks into a solid or gives way to a patch at the
+// place t: just after it, or just before it at the end of the face. REQUIRES: 0 <= t <= 1.
 void require_free_at(const PreparedScene2& prepared, const Face& face, const Rational& t);
 
 }  // namespace hottel

@@ -11,6 +11,7 @@
 #include "geometry/plane/arrangement/point_index.h"
 #include "geometry/plane/check/point_neighbours.h"
 #include "geometry/plane/scene/closest_point.h"
+#include "geometry/plane/scene/patches.h"
 
 namespace hottel {
 namespace {
@@ -143,6 +144,16 @@ class NearMissFinder {
 
 }  // namespace
 
-std::vector<NearMiss2> find_near_misses(const Scene2& scene) { return NearMissFinder(scene).find(); }
+std::vector<NearMiss2> find_near_misses(const Scene2& scene) {
+  if (const std::optional<BareScene2> bare = without_patches(scene)) {
+    std::vector<NearMiss2> found = find_near_misses(bare->scene);
+    for (NearMiss2& miss : found) {
+      for (std::uint32_t& s : miss.surfaces) s = bare->surface_of[s];
+      miss.target = bare->surface_of[miss.target];
+    }
+    return found;
+  }
+  return NearMissFinder(scene).find();
+}
 
 }  // namespace hottel

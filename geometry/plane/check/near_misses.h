@@ -30,6 +30,7 @@ struct NearMiss2 {
 //   (2) at most one for each end point: the nearest; of two ends that are near each other, the pair is told once
 //   (3) surfaces that meet the tip, or that touch one that does, are no targets: they make angles. What crosses one
 //       that ends at the tip is: the tip sticks out
+//   (4) patches are near nothing: what they lie on is
 // COST: O(n log n) and exact arithmetic for surfaces whose bounding box is near an end point.
 std::vector<NearMiss2> find_near_misses(const Scene2& scene);
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "geometry/name.h"
 #include "geometry/plane/check/repair.h"
+#include "geometry/plane/scene/patches.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -15,6 +17,7 @@ struct Piece {
   Surface surface;
   Edge2 edge;
   std::string former_name;
+  std::uint32_t place;  // where it stood
 };
 using Pieces = std::vector<Piece>;
 
@@ -34,23 +37,38 @@ class PolylineRestorer {
       const std::uint32_t group = scene_.surfaces[begin].group;
       Pieces pieces;
       for (; end < scene_.surfaces.size() && scene_.surfaces[end].group == group; ++end)
-        pieces.push_back({scene_.surfaces[end], scene_.edges[end], repair_.former_names[end]});
+        pieces.push_back(
+            {scene_.surfaces[end], scene_.edges[end], repair_.former_names[end], static_cast<std::uint32_t>(end)});
       const std::string& name = scene_.groups[group].name;
       const bool was_polyline = pieces.front().surface.name.starts_with(name + "[");
       Pieces& list = was_polyline && is_restored(name, pieces) ? polylines_ : edges_;
       std::move(pieces.begin(), pieces.end(), std::back_inserter(list));
     }
+    const Scene2 before = scene_.bases.empty() ? Scene2() : scene_;
+    std::vector<std::optional<std::uint32_t>> place(before.surfaces.size());
     scene_.surfaces.clear();
     scene_.edges.clear();
     repair_.former_names.clear();
     for (Pieces* list : {&edges_, &polylines_})
       for (Piece& piece : *list) {
+        if (!place.empty()) place[piece.place] = static_cast<std::uint32_t>(scene_.surfaces.size());
+        if (list == &edges_) part_from_group(piece.surface);
         scene_.add(std::move(piece.surface), std::move(piece.edge));
         repair_.former_names.push_back(std::move(piece.former_name));
       }
+    rename_bases(before, place, scene_);
   }
 
  private:
+  // A file has no group for edges that were a polyline: what lies on that has to name one of them.
+  void part_from_group(Surface& surface) {
+    const Group& group = scene_.groups[surface.group];
+    if (scene_.bases.empty() || group.name == surface.name) return;
+    Group own(surface.name, group.behind);
+    surface.group = static_cast<std::uint32_t>(scene_.groups.size());
+    scene_.groups.push_back(std::move(own));
+  }
+
   // Whether the pieces are a polyline; then they are listed and named as its pieces.
   bool is_restored(const std::string& name, Pieces& pieces) {
     const bool is_as_listed = follow_each_other(pieces);

@@ -137,10 +137,14 @@ class RegionTeller {
   // Behind these walls nothing stands but their own fronts, which do not emit.
   bool fronts_see_nothing(const std::vector<PieceSideId>& walls) const {
     const std::vector<std::uint32_t> own = surfaces_of(walls);
+    const auto is_own = [&](std::uint32_t s) {
+      return std::ranges::any_of(
+          own, [&](std::uint32_t wall) { return s == wall || arrangement_.patches().rests_on(s, wall); });
+    };
     return std::all_of(walls.begin(), walls.end(), [&](PieceSideId side) {
       const auto& behind = residents_[regions_.of(opposite(side))];
       return std::all_of(behind.begin(), behind.end(), [&](const Face& f) {
-        return !f.is_back && material(f)->emission.is_zero() && std::binary_search(own.begin(), own.end(), f.surface);
+        return !f.is_back && material(f)->emission.is_zero() && is_own(f.surface);
       });
     });
   }

@@ -27,6 +27,7 @@
 #include "geometry/plane/check/wording.h"
 #include "geometry/plane/scene/closed_groups.h"
 #include "geometry/plane/scene/closest_point.h"
+#include "geometry/plane/scene/patches.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -75,7 +76,8 @@ class GapCloser {
     snapped_to_.resize(place_.size());
     is_held_.resize(place_.size());
     for (std::uint32_t s = 0; s < held.size(); ++s)
-      if (held[s] != 0) is_held_[segments_[s].a.index()] = is_held_[segments_[s].b.index()] = 1;
+      if (held[s] != 0) hold(s);
+    hold_patches();
     find_outlines();
   }
 
@@ -94,6 +96,23 @@ class GapCloser {
   }
 
  private:
+  void hold(std::uint32_t s) { is_held_[segments_[s].a.index()] = is_held_[segments_[s].b.index()] = 1; }
+  // Patches, and what they lie on, stay where they are, and are no repetitions.
+  void hold_patches() {
+    is_kept_.assign(scene_.surfaces.size(), 0);
+    const PatchCarriers2 carriers_of(scene_);
+    const PatchBases& bases = carriers_of.bases();
+    for (std::uint32_t s = 0; s < scene_.surfaces.size(); ++s) {
+      if (!bases.is_patch(s)) continue;
+      std::vector<std::uint32_t> stay = carriers_of.of(s);
+      stay.push_back(s);
+      for (const std::uint32_t one : stay) {
+        hold(one);
+        is_kept_[one] = 1;
+      }
+    }
+  }
+
   std::string name(std::uint32_t s) const { return quoted_name(scene_.surfaces[s].name); }
   Segment2 segment(std::uint32_t s) const { return {into_[segments_[s].a.index()], into_[segments_[s].b.index()]}; }
   bool is_point(std::uint32_t s) const { return segment(s).a == segment(s).b; }
@@ -257,7 +276,7 @@ class GapCloser {
         repair.steps.push_back(
             {"not-repaired", scene_.surfaces[s].name,
              fmt::format("{} repeats {}, but its outline would be open without it", name(s), name(*first))});
-      } else if (first != same.end()) {
+      } else if (first != same.end() && is_kept_[s] == 0) {
         repair.steps.push_back(
             {"dropped", scene_.surfaces[s].name, fmt::format("{} repeats {}", name(s), name(*first))});
         continue;
@@ -298,6 +317,7 @@ class GapCloser {
   std::vector<std::pair<VertexId, std::uint32_t>> left_;
   std::vector<char> must_close_;  // by group
   std::vector<char> is_held_;     // by vertex: it stays where it was
+  std::vector<char> is_kept_;     // by surface: it is never dropped as a repetition
 };
 
 // What is found without any light.

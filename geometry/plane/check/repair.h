@@ -41,12 +41,13 @@ std::string former_name(const Repair2& repair, const Element& element);
 //   (5) of contacts, near misses and needles no more is found afterwards than before, and no more that is not a note
 //       (notes of needles and crossings count, others do not: they tell how things are that touch); and nothing that
 //       moved would move again. Where it would, what moves together stays as it was (not-repaired)
+//   (6) patches and what they lie on stay as they are
 // REQUIRES distance > 0. COST: O(n log n) and exact arithmetic near ends.
 Repair2 close_gaps(const Scene2& scene, const Rational& distance);
 
-// Reverses surfaces that are certainly the wrong way round (RegionFindings2::certainly_reversed) and adds a step for
-// each. Nothing is done where claims conflict or a "behind" cannot be obeyed. Groups that say what is behind them stay
-// as they are.
+// Reverses surfaces that are certainly the wrong way round (RegionFindings2::certainly_reversed), with the patches on
+// them, and adds a step for each. Nothing is done where claims conflict or a "behind" cannot be obeyed. Groups that say
+// what is behind them stay as they are.
 void reverse_inside_out(Repair2& repair);
 
 // Says "behind": "solid" of groups whose black backs are told of (BlackBacks2::surfaces of the repaired scene) and adds
@@ -65,6 +66,7 @@ void state_solids(Repair2& repair, const std::vector<std::uint32_t>& black_backs
 //       are NAME[0], NAME[1], ... in the order in which they follow each other now (renumbered)
 //   (2) pieces of others keep their names as edges of their own, which stand before all polylines (split)
 //   (3) polylines that were not changed stay as they are
+//   (4) patches lie on what they lay on, by its name now (rename_bases)
 void restore_polylines(Repair2& repair);
 
 }  // namespace hottel

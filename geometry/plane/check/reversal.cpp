@@ -6,6 +6,7 @@
 #include "geometry/plane/check/region_findings.h"
 #include "geometry/plane/check/repair.h"
 #include "geometry/plane/check/wording.h"
+#include "geometry/plane/scene/patches.h"
 
 namespace hottel {
 
@@ -21,8 +22,10 @@ void reverse_inside_out(Repair2& repair) {
   const auto says_behind = [&](std::uint32_t s) {
     return repair.scene.groups[repair.scene.surfaces[s].group].behind != Behind::kByOutline;
   };
-  for (const std::vector<std::uint32_t>& surfaces : told.certainly_reversed) {
+  for (std::vector<std::uint32_t> surfaces : told.certainly_reversed) {
     if (std::any_of(surfaces.begin(), surfaces.end(), says_behind)) continue;
+    for (const std::uint32_t patch : patches_on(repair.scene, surfaces))
+      if (std::ranges::count(surfaces, patch) == 0) surfaces.push_back(patch);
     for (const std::uint32_t s : surfaces) {
       auto& [from, to] = repair.scene.edges[s];
       std::swap(from, to);

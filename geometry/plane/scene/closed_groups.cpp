@@ -12,7 +12,7 @@ std::vector<ClosedGroup2> closed_groups(const Scene2& scene) {
     ++runs[group];
     bool follows = true, has_back = false;
     for (end = begin; end < s.size() && s[end].group == group; ++end) {
-      follows = follows && (end == begin || e[end].from == e[end - 1].to);
+      follows = follows && !s[end].on && (end == begin || e[end].from == e[end - 1].to);
       has_back |= s[end].back.has_value();
     }
     if (!follows || end - begin < 2 || e[end - 1].to != e[begin].from) continue;

@@ -18,7 +18,8 @@ struct ClosedGroup2 {
 
 // Returns the closed groups of a scene, in the order of their surfaces; exact.
 //
-//   (1) a group of one surface is never closed, nor is one whose surfaces are interrupted by those of another
+//   (1) a group of one surface is never closed, nor is one whose surfaces are interrupted by those of another, nor one
+//       of patches
 //   (2) there and back is closed: turn is 0 then, as wherever the signed area is 0
 //
 // COST: linear.

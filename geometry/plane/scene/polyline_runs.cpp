@@ -19,7 +19,7 @@ std::size_t end_of_polyline(const Scene2& scene, std::size_t first) {
   while (i < s.size() && s[i].group == s[first].group) {
     if (s[i].name != piece_name(group, i - first)) return first;
     if (i > first && (e[i].from != e[i - 1].to || s[i].material != s[first].material || s[i].back != s[first].back ||
-                      s[i].elements != s[first].elements))
+                      s[i].elements != s[first].elements || s[i].on != s[first].on))
       return first;
     ++i;
   }

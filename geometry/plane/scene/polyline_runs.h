@@ -12,7 +12,7 @@ namespace hottel {
 //
 //   (1) its surfaces are called NAME[0], NAME[1], ... in their order, and NAME may be a name
 //   (2) each begins where the one before ends
-//   (3) material, back and elements are the same for all
+//   (3) material, back, elements and what they lie on are the same for all
 //
 // The run is all of the group that stands together. REQUIRES: an index of a surface. COST: linear in the run.
 std::size_t end_of_polyline(const Scene2& scene, std::size_t first);

@@ -38,6 +38,7 @@ std::string grid_problem(const Grid2& grid);
 //   (2) from != to for every edge; coordinates are in lowest terms
 //   (3) the table is valid (SceneTable)
 //   (4) light_places[k] is where lights[k] of the table is; no light lies on an edge, and directions are not zero
+//   (5) patches lie on their bases exactly, look as these do there, and leave them nowhere (validate_patches)
 struct Scene2 : SceneTable {
   std::vector<Edge2> edges;
   std::vector<LightPlace2> light_places;
@@ -58,7 +59,7 @@ struct Scene2 : SceneTable {
   void keep(const std::vector<std::uint32_t>& which);
 };
 
-// Throws InputError naming file, line and surface or light unless (2), (3) and (4) hold and the grid is one
+// Throws InputError naming file, line and surface or light unless (2) to (5) hold and the grid is one
 // (grid_problem), ContractViolation unless (1) does, there are as many places as lights and trees are whole. COST:
 // linear, for each light.
 void validate(const Scene2& scene);

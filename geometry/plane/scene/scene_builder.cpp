@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "geometry/name.h"
+#include "geometry/patch_bases.h"
+#include "geometry/plane/scene/patch_seats.h"
 #include "geometry/plane/scene/scene_entries.h"
 #include "geometry/scene_names.h"
 #include "kernel/support/failure.h"
@@ -120,6 +122,7 @@ SceneBuilder2& SceneBuilder2::add_edge(const std::string& name, const TypedPoint
   Surface surface = surface_of(owner, material, options.back, options.elements);
   surface.name = own;
   surface.group = static_cast<std::uint32_t>(scene_.groups.size());
+  put_on(surface, owner, options.on, options.behind);
   const std::string coordinate = owner + ": coordinate";
   hottel::add_edge(scene_, std::move(surface), {reader.point(coordinate, from), reader.point(coordinate, to)});
   scene_.groups.emplace_back(own, options.behind);
@@ -134,6 +137,7 @@ SceneBuilder2& SceneBuilder2::add_polyline(const std::string& name, const std::v
   Surface surface = surface_of(owner, material, options.back, options.elements);
   surface.group = static_cast<std::uint32_t>(polylines_.groups.size());
   if (points.size() < 2) reader.refuse(owner + " has fewer than two points");
+  put_on(surface, owner, options.on, options.behind);
   std::vector<PolylinePoint2> read;
   for (const TypedPoint2& point : points) read.push_back({reader.point(owner + ": coordinate", point)});
   const std::size_t before = polylines_.surfaces.size();
@@ -188,6 +192,7 @@ SceneBuilder2& SceneBuilder2::set_unit(std::string unit) {
 Scene2 SceneBuilder2::build() const {
   Scene2 scene = scene_;
   append_polylines(scene, polylines_);
+  seat_patches(scene, 0);
   validate(scene);
   refuse_names_of_edges(scene, std::vector<int>(polylines_.groups.size()));
   return scene;
@@ -209,6 +214,16 @@ Surface SceneBuilder2::surface_of(const std::string& owner, const std::string& m
     Reader(scene_.file).refuse(owner + ": elements must be an integer from 1 to " + std::to_string(kMaxElements));
   surface.elements = elements;
   return surface;
+}
+
+// A base that no surface has in the end does no harm: a throw that follows leaves one.
+void SceneBuilder2::put_on(Surface& surface, const std::string& owner, const std::string& base, Behind behind) {
+  if (base.empty()) return;
+  if (behind != Behind::kByOutline)
+    Reader(scene_.file)
+        .refuse(owner + " lies on another surface: it makes nothing solid, and says nothing of what is behind");
+  surface.on = static_cast<std::uint32_t>(scene_.bases.size());
+  scene_.bases.push_back(patch_base(base));
 }
 
 }  // namespace hottel

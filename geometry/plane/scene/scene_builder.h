@@ -42,12 +42,14 @@ struct EdgeOptions2 {
   std::string back = {};  // the material of the back; empty: opaque and black
   std::uint32_t elements = 1;
   Behind behind = Behind::kByOutline;
+  std::string on = {};  // what it is a patch on: the name of an edge or polyline, or NAME:back; empty: none
 };
 struct PolylineOptions2 {
   bool closed = false;
   std::string back = {};
   std::uint32_t elements = 1;  // of each piece
   Behind behind = Behind::kByOutline;
+  std::string on = {};
 };
 
 // Makes a scene step by step. What is said twice, or cannot be, is refused at once.
@@ -58,6 +60,7 @@ struct PolylineOptions2 {
 //       place among edges or polylines, from 0
 //   (3) numbers are exact (Number); the front of an edge is right of from -> to, so that a room is listed clockwise
 //   (4) after a throw the builder is as it was before the call
+//   (5) build() puts patches onto their bases where they are off by rounding of doubles (seat_patches)
 //
 // Every function but the constructor throws InputError, naming the edge, polyline, piece or material, for what
 // docs/scene_format.md does not allow; build() for names that are not unique.
@@ -91,6 +94,7 @@ class SceneBuilder2 {
   std::uint32_t material_of(const std::string& owner, const char* part, const std::string& name) const;
   Surface surface_of(const std::string& owner, const std::string& material, const std::string& back,
                      std::uint32_t elements) const;
+  void put_on(Surface& surface, const std::string& owner, const std::string& base, Behind behind);
 
   Scene2 scene_;      // of the edges
   Scene2 polylines_;  // of these alone, with groups of their own

@@ -30,8 +30,8 @@ struct MadePiece {
 // The pieces of a cluster of polygons of one plane.
 class ClusterPieces {
  public:
-  ClusterPieces(const Scene3& scene, const Solids3& solids, const CoplanarCluster3& cluster)
-      : scene_(scene), solids_(solids), cluster_(cluster), frame_(cluster.frame) {}
+  ClusterPieces(const Scene3& scene, const PatchBases& patches, const Solids3& solids, const CoplanarCluster3& cluster)
+      : scene_(scene), patches_(patches), solids_(solids), cluster_(cluster), frame_(cluster.frame) {}
 
   std::vector<MadePiece> make() {
     const bool is_near_solid = !solids_.is_empty() && find_cuts();
@@ -186,7 +186,7 @@ class ClusterPieces {
     const bool is_covered = is_up ? cell.is_covered_up : cell.is_covered_down;
     const bool is_behind_covered = is_up ? cell.is_covered_down : cell.is_covered_up;
     const bool lies_on_solid = is_behind_covered && has_material_on(scene_, cell.sources, !is_up);
-    const SideOwner3 side = owner_of_side(scene_, cell.sources, is_up, [&](std::uint32_t group) {
+    const SideOwner3 side = owner_of_side(scene_, patches_, cell.sources, is_up, [&](std::uint32_t group) {
       if (!lies_on_solid) return false;
       const ClosedMesh3* mesh = solids_.mesh_of(group);
       return mesh != nullptr && solids_.is_behind({&frame_, at, !is_up}, *mesh);
@@ -202,19 +202,31 @@ class ClusterPieces {
     const auto material = [this](const Face& face) {
       return quoted_name(scene_.materials[*scene_.surfaces[face.surface].material_of(face.is_back)].name);
     };
-    throw InputError(place_of(scene_, scene_.surfaces[side.rival->surface]),
-                     told(side.owner) + " and " + told(*side.rival) +
-                         " claim the same side with different materials: they overlap around " + place_text(at),
-                     {"materials " + material(side.owner) + " and " + material(*side.rival),
-                      "give both the same material, or take one of the surfaces away"});
+    const auto area = [this](const Face& face) -> Rational {
+      const Vector3 normal = doubled_area(scene_.polygons[face.surface]);
+      return dot(normal, normal);
+    };
+    const bool is_owner_smaller = area(side.owner) < area(*side.rival);
+    throw InputError(
+        place_of(scene_, scene_.surfaces[side.rival->surface]),
+        told(side.owner) + " and " + told(*side.rival) +
+            " claim the same side with different materials: they overlap around " + place_text(at),
+        {"materials " + material(side.owner) + " and " + material(*side.rival),
+         "give both the same material, or take one of the surfaces away",
+         is_owner_smaller ? patch_hint(scene_, side.owner, *side.rival) : patch_hint(scene_, *side.rival, side.owner)});
   }
 
   void refuse_misplaced_masks(const std::vector<PlaceSource3>& sources, const std::function<Point3()>& place) const {
-    const std::optional<MisplacedMask3> wrong = misplaced_mask(scene_, sources);
+    const std::optional<MisplacedMask3> wrong = misplaced_mask(scene_, patches_, sources);
     if (!wrong) return;
     const auto name = [this](std::uint32_t surface) { return quoted_name(scene_.surfaces[surface].name); };
     const auto [mask, other] = *wrong;
     const std::uint32_t told = other.value_or(mask.surface);
+    if (other && patches_.lies_on(told, mask.base))
+      throw InputError(place_of(scene_, scene_.surfaces[told]),
+                       name(mask.surface) + " masks " + name(mask.base) + " where " + name(told) +
+                           " lies on it, around " + place_text(place()),
+                       {"a mask sees what it masks alone: move one of the two"});
     throw InputError(place_of(scene_, scene_.surfaces[told]),
                      other ? name(told) + " and " + name(mask.surface) + " mask the same place of " + name(mask.base) +
                                  ", around " + place_text(place())
@@ -301,6 +313,7 @@ class ClusterPieces {
   }
 
   const Scene3& scene_;
+  const PatchBases& patches_;
   const Solids3& solids_;
   const CoplanarCluster3& cluster_;
   const PlaneFrame3& frame_;
@@ -327,9 +340,10 @@ void rename(MadePiece& made, const Scene3& scene, const std::vector<std::uint32_
 Arrangement3::Arrangement3(const Scene3& scene) : solids_(scene) {
   const std::optional<FacetScene3> facets = facet_scene(scene);
   const Scene3& plane = facets ? facets->scene : scene;
+  const PatchBases patches(plane);
   std::vector<MadePiece> made;
   for (const CoplanarCluster3& cluster : coplanar_clusters(plane.polygons))
-    for (MadePiece& piece : ClusterPieces(plane, solids_, cluster).make()) made.push_back(std::move(piece));
+    for (MadePiece& piece : ClusterPieces(plane, patches, solids_, cluster).make()) made.push_back(std::move(piece));
   if (facets)
     for (MadePiece& piece : made) rename(piece, scene, facets->surface_of);
   std::stable_sort(made.begin(), made.end(),

@@ -52,6 +52,8 @@ struct PieceSide3 {
 //   (6) exact, whatever the coordinates
 //   (7) a nearly plane polygon is its facets: pieces are in the planes of these
 //   (8) where a mask lies on its base the fronts of both make no claim: they have no side of a piece there
+//   (9) a patch wins over what it lies on, the innermost first: that makes no claim where the patch does. A patch has a
+//       back only with a material; else what it lies on keeps its own there (PatchBases)
 //
 // Throws InputError naming both surfaces, the side and a point of the place where claims for different materials meet;
 // the mask, its base and a point where it is not within that, or beside another mask.

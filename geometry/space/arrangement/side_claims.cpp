@@ -22,16 +22,19 @@ bool is_masked(const Scene3& scene, const std::vector<PlaceSource3>& sources, st
 
 }  // namespace
 
-SideOwner3 owner_of_side(const Scene3& scene, const std::vector<PlaceSource3>& sources, bool is_up,
-                         const std::function<bool(std::uint32_t group)>& is_silent) {
+SideOwner3 owner_of_side(const Scene3& scene, const PatchBases& patches, const std::vector<PlaceSource3>& sources,
+                         bool is_up, const std::function<bool(std::uint32_t group)>& is_silent) {
   const auto material = [&scene](const Face& face) -> const Material* {
     const std::optional<std::uint32_t> m = scene.surfaces[face.surface].material_of(face.is_back);
     return m ? &scene.materials[*m] : nullptr;
   };
+  std::vector<Face> there;
+  for (const PlaceSource3& source : sources) there.push_back({source.surface, source.is_front_up != is_up});
+  const std::vector<Face> silent =
+      silent_fronts(patches, there, [&](std::uint32_t s) { return is_silent(scene.surfaces[s].group); });
   std::optional<SideOwner3> side;
-  for (const PlaceSource3& source : sources) {
-    const Face face{source.surface, source.is_front_up != is_up};
-    if (!face.is_back && is_silent(scene.surfaces[face.surface].group)) continue;
+  for (const Face& face : there) {
+    if (std::ranges::find(silent, face) != silent.end() || !patches.has_place(face, there)) continue;
     if (!face.is_back && is_masked(scene, sources, face.surface)) continue;
     if (!side)
       side = {face, std::nullopt};
@@ -44,13 +47,17 @@ SideOwner3 owner_of_side(const Scene3& scene, const std::vector<PlaceSource3>& s
   return *side;
 }
 
-std::optional<MisplacedMask3> misplaced_mask(const Scene3& scene, const std::vector<PlaceSource3>& sources) {
+std::optional<MisplacedMask3> misplaced_mask(const Scene3& scene, const PatchBases& patches,
+                                             const std::vector<PlaceSource3>& sources) {
   for (const Mask3& mask : scene.masks) {
     if (!is_there(sources, mask.surface)) continue;
     if (!is_there(sources, mask.base)) return MisplacedMask3{mask, std::nullopt};
     for (const Mask3& other : scene.masks)
       if (other.base == mask.base && other.surface > mask.surface && is_there(sources, other.surface))
         return MisplacedMask3{mask, other.surface};
+    for (const PlaceSource3& source : sources)
+      if (patches.lies_on(source.surface, mask.base) && !patches.is_on_backs(source.surface))
+        return MisplacedMask3{mask, source.surface};
   }
   return std::nullopt;
 }

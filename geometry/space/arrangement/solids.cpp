@@ -318,7 +318,8 @@ Solids3::Solids3(const Scene3& scene) : mesh_of_(scene.groups.size()) {
   std::vector<Candidate> groups;
   for (const Group& group : scene.groups)
     groups.push_back({group.name, {}, {static_cast<std::uint32_t>(groups.size())}, group.behind});
-  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) groups[scene.surfaces[s].group].surfaces.push_back(s);
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+    if (!scene.surfaces[s].on) groups[scene.surfaces[s].group].surfaces.push_back(s);
   for (Candidate candidate : groups) {
     // Of a group of a body it is known later what has to be solid.
     if (!scene.groups[candidate.groups.front()].body.empty() && candidate.behind == Behind::kSolid)

@@ -13,8 +13,8 @@
 
 namespace hottel {
 
-// A group of polygons that is a closed mesh: its outlines, each in its sense, cancel. Or all groups of one body of
-// which none is.
+// A group of polygons that is a closed mesh: its outlines, each in its sense, cancel; patches do not count. Or all
+// groups of one body of which none is.
 struct ClosedMesh3 {
   // kSolid:   winding numbers beside its faces are 0 and 1: fronts outward; it may touch itself
   // kRoom:    they are 0 and -1: fronts inward

@@ -90,6 +90,7 @@ void tell_duplicates(const Scene3& scene, const CornerTable3& corners, Findings3
   std::map<std::vector<Surfaces>, std::vector<std::pair<std::uint32_t, bool>>>
       same;  // by rings, that of the outline last
   for (std::uint32_t s = 0; s < corners.of_polygon.size(); ++s) {
+    if (scene.surfaces[s].on) continue;  // it says that it lies there
     auto corner = corners.of_polygon[s].begin();
     const auto ring = [&](std::size_t count) {
       const auto begin = corner;

@@ -142,6 +142,14 @@ std::vector<EdgeStretch3> find_edge_stretches(const std::vector<Polygon3>& polyg
   return stretches;
 }
 
+std::vector<EdgeStretch3> find_edge_stretches(const Scene3& scene) {
+  std::vector<EdgeStretch3> stretches = find_edge_stretches(scene.polygons);
+  for (EdgeStretch3& stretch : stretches)
+    std::erase_if(stretch.uses, [&](const EdgeUse3& use) { return scene.surfaces[use.surface].on.has_value(); });
+  std::erase_if(stretches, [](const EdgeStretch3& stretch) { return stretch.uses.empty(); });
+  return stretches;
+}
+
 bool is_covered(const Side3& segment, const std::vector<Polygon3>& polygons, const std::vector<std::uint32_t>& list) {
   const Vector3 along = segment.to - segment.from;
   const Rational whole = dot(along, along);

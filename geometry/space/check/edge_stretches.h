@@ -31,6 +31,9 @@ struct EdgeStretch3 {
 // Exact. COST: O(n log n) for n sides and stretches.
 std::vector<EdgeStretch3> find_edge_stretches(const std::vector<Polygon3>& polygons);
 
+// The same of a scene without the sides of its patches, which bound nothing.
+std::vector<EdgeStretch3> find_edge_stretches(const Scene3& scene);
+
 // Returns whether all of a segment lies in polygons of a list (with their borders), each as a whole or in parts:
 // through none of its points one gets from one side of it to another along them.
 bool is_covered(const Side3& segment, const std::vector<Polygon3>& polygons, const std::vector<std::uint32_t>& list);

@@ -15,6 +15,7 @@
 #include "geometry/space/contacts/box_tree.h"
 #include "geometry/space/contacts/corner_table.h"
 #include "geometry/space/contacts/polygon_places.h"
+#include "geometry/space/scene/patches.h"
 
 namespace hottel {
 namespace {
@@ -32,6 +33,7 @@ class GapCloser {
       if (held[s] != 0) hold(s);
     for (const Mask3& mask : scene.masks)
       for (const std::uint32_t s : {mask.surface, mask.base}) hold(s);
+    hold_patches();
   }
 
   Repair3 close() {
@@ -54,6 +56,15 @@ class GapCloser {
   }
 
  private:
+  void hold_patches() {
+    const PatchCarriers3 carriers(scene_);
+    for (std::uint32_t s = 0; s < scene_.surfaces.size(); ++s) {
+      if (!carriers.bases().is_patch(s)) continue;
+      hold(s);
+      for (const std::uint32_t carrier : carriers.of(s)) hold(carrier);
+    }
+  }
+
   std::string name(std::uint32_t s) const { return quoted_name(scene_.surfaces[s].name); }
   std::uint32_t first_at(std::uint32_t c) const { return table_.at[c].front(); }
   const Point3& place(std::uint32_t c) const { return place_[into_[c]]; }

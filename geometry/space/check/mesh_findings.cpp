@@ -55,7 +55,7 @@ class Ground {
 class MeshFinder {
  public:
   explicit MeshFinder(const Scene3& scene)
-      : scene_(scene), ground_(scene.polygons), stretches_(find_edge_stretches(scene.polygons)) {}
+      : scene_(scene), ground_(scene.polygons), stretches_(find_edge_stretches(scene)) {}
 
   Meshes3 find() {
     find_units();
@@ -90,7 +90,8 @@ class MeshFinder {
 
   std::vector<char> closed_groups() const {
     std::vector<char> is_closed(scene_.groups.size(), 0);
-    for (const Surface& surface : scene_.surfaces) is_closed[surface.group] = 1;
+    for (const Surface& surface : scene_.surfaces)
+      if (!surface.on) is_closed[surface.group] = 1;
     for (const EdgeStretch3& stretch : stretches_) {
       std::map<std::uint32_t, int> balance;
       for (const EdgeUse3& use : stretch.uses) balance[group_of(use)] += use.is_reversed ? -1 : 1;
@@ -130,7 +131,8 @@ class MeshFinder {
     std::vector<std::vector<EdgeStretch3>> open(count);
     meshes_.is_closed.assign(count, 1);
     meshes_.is_room.assign(count, 0);
-    for (const Surface& surface : scene_.surfaces) ++polygons[unit_[surface.group]];
+    for (const Surface& surface : scene_.surfaces)
+      if (!surface.on) ++polygons[unit_[surface.group]];
     for (const EdgeStretch3& stretch : stretches_) {
       std::map<std::uint32_t, EdgeStretch3> by_group;
       for (const EdgeUse3& use : stretch.uses) {
@@ -208,7 +210,7 @@ class MeshFinder {
     std::vector<Rational> volume(scene_.groups.size());
     for (std::size_t s = 0; s < scene_.polygons.size(); ++s) {
       const std::uint32_t group = unit_of(static_cast<std::uint32_t>(s));
-      if (meshes_.is_closed[group] != 0)
+      if (meshes_.is_closed[group] != 0 && !scene_.surfaces[s].on)
         volume[group] += dot(doubled_area(scene_.polygons[s]), scene_.polygons[s].points[0] - origin);
     }
     for (std::size_t group = 0; group < volume.size(); ++group) meshes_.is_room[group] = volume[group] < 0;

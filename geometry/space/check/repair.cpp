@@ -13,6 +13,7 @@
 #include "geometry/space/check/mesh_findings.h"
 #include "geometry/space/check/shells.h"
 #include "geometry/space/contacts/polygon_places.h"
+#include "geometry/space/scene/patches.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -44,7 +45,7 @@ std::vector<Point3> loop_from_least(std::vector<Point3> loop) {
 bool is_alike(const Scene3& scene, std::uint32_t s, std::uint32_t t) {
   const Surface &a = scene.surfaces[s], &b = scene.surfaces[t];
   return scene.polygons[s].holes == scene.polygons[t].holes && a.is_obstruction == b.is_obstruction &&
-         a.material == b.material && a.back == b.back;
+         a.material == b.material && a.back == b.back && a.on == b.on;
 }
 
 // Takes away surfaces for which `keep` is false; those are no masks or bases.
@@ -91,12 +92,23 @@ Repair3 close_gaps(const Scene3& scene, const Rational& distance) {
   return HarmlessRepair(scene, close, shape_and_contacts).repair();
 }
 
+namespace {
+
+// Reverses polygons and the patches on them.
+void reverse(Scene3& scene, std::vector<std::uint32_t> surfaces) {
+  const std::vector<std::uint32_t> patches = patches_on(scene, surfaces);
+  surfaces.insert(surfaces.end(), patches.begin(), patches.end());
+  for (const std::uint32_t s : surfaces)
+    std::reverse(scene.polygons[s].points.begin() + 1, scene.polygons[s].points.end());
+}
+
+}  // namespace
+
 void reverse_upside_down(Repair3& repair) {
   for (const std::uint32_t s : find_meshes(repair.scene).reversed) {
     const Surface& surface = repair.scene.surfaces[s];
     if (surface.back) continue;
-    std::vector<Point3>& points = repair.scene.polygons[s].points;
-    std::reverse(points.begin() + 1, points.end());
+    reverse(repair.scene, {s});
     repair.steps.push_back({"reversed", surface.name,
                             fmt::format("the points of {} go the other way round: its front was on the other side than "
                                         "those around it",
@@ -108,8 +120,7 @@ void reverse_inside_out(Repair3& repair) {
   Scene3& scene = repair.scene;
   for (const Shell3& shell : inside_out_shells(scene)) {
     if (!shell.may_be_body) continue;
-    for (const std::uint32_t s : shell.surfaces)
-      std::reverse(scene.polygons[s].points.begin() + 1, scene.polygons[s].points.end());
+    reverse(scene, shell.surfaces);
     repair.steps.push_back({"reversed", scene.surfaces[shell.surfaces.front()].name,
                             fmt::format("the points of {} polygons of {} go the other way round: they were closed with "
                                         "their fronts inward, and nothing was in them",
@@ -122,6 +133,12 @@ void drop_doubles(Repair3& repair) {
   std::map<std::vector<Point3>, std::vector<std::uint32_t>, LoopOrder> first;
   std::vector<char> is_double(scene.surfaces.size(), 0);
   for (const Mask3& mask : scene.masks) is_double[mask.surface] = is_double[mask.base] = 2;  // never
+  const PatchCarriers3 carriers(scene);
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+    if (carriers.bases().is_patch(s)) {
+      is_double[s] = 2;
+      for (const std::uint32_t carrier : carriers.of(s)) is_double[carrier] = 2;
+    }
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     if (is_double[s] != 0) continue;
     std::vector<std::uint32_t>& same = first[loop_from_least(scene.polygons[s].points)];

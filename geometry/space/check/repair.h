@@ -21,7 +21,7 @@ std::string former_name(const Repair3& repair, const Element& element);
 //   (2) a corner that lies on a polygon exactly, and stays within reach of it, lies on it afterwards
 //   (3) every polygon is one (polygon_problem). One that would not be plane any more becomes triangles (NAME[0],
 //       NAME[1], ...: triangulated); where that cannot be, none of its corners moves (not-repaired)
-//   (4) corners of masks and of their bases stay where they are
+//   (4) corners of masks and patches, and of what they lie on, stay where they are
 //   (5) polygons without an area left are dropped; names, materials, order and all else stay
 //   (6) of contacts, shapes and meshes no more is found afterwards than before, and no more that is not a note (notes
 //       of needles and crossings count, others do not: they tell how things are that touch); and nothing that moved
@@ -31,11 +31,12 @@ std::string former_name(const Repair3& repair, const Element& element);
 // polygon of (3) that keeps its corners.
 Repair3 close_gaps(const Scene3& scene, const Rational& distance);
 
-// Reverses polygons that certainly have their fronts on the wrong side (Meshes3::reversed) and adds a step for each.
-// Those with a material on the back stay as they are.
+// Reverses polygons that certainly have their fronts on the wrong side (Meshes3::reversed), with the patches on them,
+// and adds a step for each. Those with a material on the back stay as they are.
 void reverse_upside_down(Repair3& repair);
 
-// Reverses the closed parts of meshes that are inside out and may be bodies (Shell3), and adds a step for each.
+// Reverses the closed parts of meshes that are inside out and may be bodies (Shell3), with the patches on them, and
+// adds a step for each.
 void reverse_inside_out(Repair3& repair);
 
 // Drops what another polygon, listed before, is as well: the same corners the same way round, and the same materials.

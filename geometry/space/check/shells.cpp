@@ -25,7 +25,7 @@ class Parts {
   explicit Parts(const Scene3& scene) : parent_(scene.surfaces.size()), is_closed_(parent_.size(), 1) {
     std::iota(parent_.begin(), parent_.end(), 0u);
     const Surfaces unit = units(scene);
-    for (const EdgeStretch3& stretch : find_edge_stretches(scene.polygons)) {
+    for (const EdgeStretch3& stretch : find_edge_stretches(scene)) {
       std::map<std::uint32_t, std::vector<EdgeUse3>> by_group;
       for (const EdgeUse3& use : stretch.uses) by_group[unit[scene.surfaces[use.surface].group]].push_back(use);
       for (const auto& [group, uses] : by_group) join(uses);

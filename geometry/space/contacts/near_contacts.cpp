@@ -11,6 +11,7 @@
 #include "geometry/space/contacts/corner_table.h"
 #include "geometry/space/contacts/polygon_places.h"
 #include "geometry/space/scene/facet_scene.h"
+#include "geometry/space/scene/patches.h"
 
 namespace hottel {
 namespace {
@@ -292,7 +293,8 @@ bool have_one_in_common(const Surfaces& a, const Surfaces& b) {
   return std::any_of(a.begin(), a.end(), [&](std::uint32_t s) { return std::binary_search(b.begin(), b.end(), s); });
 }
 
-// Facets become the surfaces that they are of; what a surface does to itself is left out.
+// Facets, and surfaces without the patches, become the surfaces that they are of; what a surface does to itself is left
+// out.
 void rename(Contacts3& contacts, const std::vector<std::uint32_t>& surface_of) {
   const auto rename_all = [&](Surfaces& surfaces) {
     for (std::uint32_t& s : surfaces) s = surface_of[s];
@@ -318,6 +320,11 @@ void rename(Contacts3& contacts, const std::vector<std::uint32_t>& surface_of) {
 }  // namespace
 
 Contacts3 find_contacts(const Scene3& scene) {
+  if (const std::optional<BareScene3> bare = without_patches(scene)) {
+    Contacts3 contacts = find_contacts(bare->scene);
+    rename(contacts, bare->surface_of);
+    return contacts;
+  }
   const std::optional<FacetScene3> facets = facet_scene(scene);
   if (!facets) return ContactFinder(scene).find();
   Contacts3 contacts = ContactFinder(facets->scene).find();

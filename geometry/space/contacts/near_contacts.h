@@ -51,8 +51,8 @@ struct Contacts3 {
   std::vector<Crossing3> crossings;
 };
 
-// Nearly plane polygons are their facets. COST: O(n log n), and exact arithmetic for what doubles find near: 10^4
-// polygons of a room take about a second.
+// Nearly plane polygons are their facets. Patches touch nothing: what they lie on does. COST: O(n log n), and exact
+// arithmetic for what doubles find near: 10^4 polygons of a room take about a second.
 Contacts3 find_contacts(const Scene3& scene);
 
 }  // namespace hottel

@@ -57,8 +57,10 @@ std::string grid_problem(const Grid3& grid);
 //   (2) every polygon is one (polygon_problem): exactly plane, or nearly so, of positive area
 //   (3) the table is valid (SceneTable), and neither camera nor grid has a problem
 //   (4) masks ascend by surface; a mask and its base have materials, and lie in one plane, facing each other; a base is
-//       no mask. That masks lie within their bases, and beside each other, is required by Arrangement3
+//       no mask, and neither is a patch. That masks lie within their bases, and beside each other, is required by
+//       Arrangement3
 //   (5) light_places[k] is where lights[k] of the table is; no light lies on a polygon, and directions are not zero
+//   (6) patches lie on their bases exactly, look as these do there, and leave them nowhere (validate_patches)
 //
 // Polygons may touch, overlap and pierce each other anyhow: what that means is told by Arrangement3.
 struct Scene3 : SceneTable {
@@ -80,7 +82,7 @@ struct Scene3 : SceneTable {
   }
 };
 
-// Throws InputError naming file, line and surface or light unless (2) to (5) hold; ContractViolation unless (1) does
+// Throws InputError naming file, line and surface or light unless (2) to (6) hold; ContractViolation unless (1) does
 // and there are as many places as lights. COST: that of polygon_problem, and linear for each light.
 void validate(const Scene3& scene);
 

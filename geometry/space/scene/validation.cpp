@@ -4,6 +4,7 @@
 
 #include "geometry/name.h"
 #include "geometry/space/scene/light_place_problem.h"
+#include "geometry/space/scene/patch_seats.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -16,6 +17,11 @@ std::string mask_problem(const Scene3& scene, const Mask3& mask) {
   if (scene.surfaces[mask.surface].is_obstruction)
     return "masks " + base + " and is an obstruction; masks have a material";
   if (scene.surfaces[mask.base].is_obstruction) return "masks " + base + ", an obstruction, which exchanges nothing";
+  for (const std::uint32_t s : {mask.surface, mask.base})
+    if (scene.surfaces[s].on)
+      return "masks " + base +
+             (s == mask.base ? ", which lies on another surface: masks lie on whole ones"
+                             : " and lies on another surface: it does one or the other");
   const auto is_base = [&](const Mask3& other) { return other.surface == mask.base; };
   if (std::any_of(scene.masks.begin(), scene.masks.end(), is_base)) return "masks " + base + ", which is a mask itself";
   const Polygon3 &polygon = scene.polygons[mask.surface], &under = scene.polygons[mask.base];
@@ -69,6 +75,7 @@ void validate(const Scene3& scene) {
                        "polygon " + quoted_name(scene.surfaces[s].name) + " " + problem,
                        hint.empty() ? std::vector<std::string>() : std::vector{hint});
   }
+  validate_patches(scene);
   validate_rest(scene);
 }
 

@@ -1,6 +1,8 @@
 #include "io/scene/plane/scene_reader.h"
 
 #include "geometry/name.h"
+#include "geometry/planarity.h"
+#include "geometry/plane/scene/patch_seats.h"
 #include "geometry/plane/scene/scene_entries.h"
 #include "io/scene/json_fields.h"
 #include "io/scene/table_reader.h"
@@ -28,6 +30,7 @@ class PlaneReader {
     if (expect) table_.read_expectations(expect);
     if (unit) table_.read_unit(unit);
     table_.settle_bands();
+    if (!scene_.bases.empty()) seat_patches(scene_, finest_unit({edges, polylines}));
     validate(scene_);
     refuse_names_of_edges(scene_, polyline_line_);
     return std::move(scene_);
@@ -42,6 +45,21 @@ class PlaneReader {
     scene_.groups.reserve(scene_.groups.size() + list.size());
     table_.read_list(list, key, noun,
                      [&](const JsonValue& value, const std::string& name) { (this->*read_shape)(value, name); });
+  }
+
+  // What the last digit stands for in the points of lists of edges and polylines, which were read.
+  static Rational finest_unit(std::initializer_list<JsonValue> lists) {
+    FinestDigit finest;
+    for (const JsonValue& list : lists) {
+      if (!list) continue;
+      for (const JsonValue entry : list.items())
+        for (const auto [key, value] : entry.members()) {
+          if (key.text() != "points") continue;
+          for (const JsonValue point : value.items())
+            for (const JsonValue coordinate : point.items()) finest.take(coordinate.text());
+        }
+    }
+    return finest.unit();
   }
 
   void read_edge(const JsonValue& value, const std::string& default_name) {

@@ -10,7 +10,11 @@
 #include <unordered_set>
 
 #include "geometry/name.h"
+#include "geometry/patch_bases.h"
+#include "geometry/planarity.h"
+#include "geometry/plane/scene/patch_seats.h"
 #include "io/files/text_file.h"
+#include "io/scene/exact_decimal.h"
 #include "io/scene/plane/svg_geometry.h"
 #include "io/scene/svg_style.h"
 #include "io/scene/xml_references.h"
@@ -33,7 +37,7 @@ constexpr std::array<std::string_view, 13> kUndrawn{"title",          "desc",   
                                                     "clipPath",       "mask",           "marker",   "filter", "pattern",
                                                     "linearGradient", "radialGradient", "view"};
 // The attributes data-... that mean something here.
-constexpr std::array<std::string_view, 3> kDataKeys{"data-material", "data-back", "data-front"};
+constexpr std::array<std::string_view, 4> kDataKeys{"data-material", "data-back", "data-front", "data-on"};
 
 std::string_view local_name(std::string_view name) {
   const auto colon = name.find(':');
@@ -44,7 +48,7 @@ std::string_view local_name(std::string_view name) {
 struct Inherited {
   SvgTransform2 transform;
   std::string material = kSvgMaterial;
-  std::string back;
+  std::string back, on;
   bool is_reversed = false;
 };
 
@@ -79,6 +83,7 @@ class SvgReader {
       return scene_.surfaces[s].name == scene_.groups[scene_.surfaces[s].group].name;
     });
     scene_.keep(order);
+    if (!scene_.bases.empty()) seat_patches(scene_, finest_unit());
     validate(scene_);
     return std::move(scene_);
   }
@@ -153,8 +158,8 @@ class SvgReader {
       if (const auto problem = property_problem(name, trimmed(a.value()), StylePlace::kAttribute))
         refuse(node, *problem);
       if (name.starts_with("data-") && !is_one_of(name, kDataKeys))
-        refuse(node,
-               "has " + quoted_name(name) + ": of such keys only data-material, data-back and data-front are known");
+        refuse(node, "has " + quoted_name(name) +
+                         ": of such keys only data-material, data-back, data-front and data-on are known");
     }
     const bool is_outermost = node == document_.document_element();
     if (const auto problem =
@@ -205,6 +210,7 @@ class SvgReader {
     else if (const std::string_view classes = trimmed(node.attribute("class").value()); !classes.empty())
       inner.material = classes;
     if (const auto a = node.attribute("data-back")) inner.back = a.value();
+    if (const auto a = node.attribute("data-on")) inner.on = a.value();
     if (const auto a = node.attribute("data-front")) {
       const std::string_view side = a.value();
       if (side != "left" && side != "right") refuse(node, "data-front is neither 'left' nor 'right'");
@@ -277,6 +283,15 @@ class SvgReader {
     return run;
   }
 
+  // What the last digit of the points stands for, once they are in place.
+  Rational finest_unit() const {
+    FinestDigit finest;
+    for (const auto& [from, to] : scene_.edges)
+      for (const Rational* coordinate : {&from.x, &from.y, &to.x, &to.y})
+        if (const auto text = exact_decimal_text(*coordinate)) finest.take(*text);
+    return finest.unit();
+  }
+
   static std::string id_or_number(pugi::xml_node node, const char* kind, std::size_t number) {
     const std::string id = node.attribute("id").value();
     return id.empty() ? std::string(kind) + "[" + std::to_string(number) + "]" : id;
@@ -300,6 +315,7 @@ class SvgReader {
     Surface surface;
     surface.material = material(node, style.material);
     if (!style.back.empty()) surface.back = material(node, style.back);
+    if (!style.on.empty()) surface.on = base(style.on);
     surface.group = static_cast<std::uint32_t>(scene_.groups.size());
     surface.line = line_of(node);
     scene_.groups.push_back(name);
@@ -320,6 +336,14 @@ class SvgReader {
     const auto [entry, is_new] = materials_.emplace(name, static_cast<std::uint32_t>(scene_.materials.size()));
     if (is_new) scene_.materials.push_back({name, Spectrum::scalar(kSvgReflectivity), {}});
     return entry->second;
+  }
+
+  std::uint32_t base(const std::string& name) {
+    const PatchBase wanted = patch_base(name);
+    const auto found = std::ranges::find(scene_.bases, wanted);
+    const auto index = static_cast<std::uint32_t>(found - scene_.bases.begin());
+    if (found == scene_.bases.end()) scene_.bases.push_back(wanted);
+    return index;
   }
 
   std::string_view text_;

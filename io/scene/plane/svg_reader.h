@@ -27,7 +27,8 @@ bool is_svg_2(const std::filesystem::path& file);
 //       not; data-front="left" turns an element round
 //   (4) names are the ids ("ID.1", "ID.2", ... for a path of several parts); without an id edge[k] and polyline[k], k
 //       counted over elements of that kind. Materials are data-material, or else the class, or else "white"; data-back
-//       is the material of the back. data-material, data-back, data-front and class hold for everything in a group
+//       is the material of the back. data-on is the name of what an element is a patch on (NAME or NAME:back).
+//       data-material, data-back, data-front, data-on and class hold for everything in a group
 //   (5) a point that repeats the one before, or of a closed run the first, is passed over, and counted; so is a run
 //   that
 //       has one point left, unless nothing else is drawn

@@ -14,6 +14,7 @@
 #include "geometry/name.h"
 #include "geometry/scene_names.h"
 #include "geometry/space/scene/near_plane.h"
+#include "geometry/space/scene/patches.h"
 #include "io/scene/exact_decimal.h"
 #include "io/scene/space/mesh_pieces.h"
 #include "kernel/decimal.h"
@@ -110,16 +111,21 @@ class MeshWriter3 {
 
  private:
   void collect_faces() {
+    const PatchCarriers3 carriers(scene_);
     for (std::uint32_t s = 0; s < scene_.polygons.size(); ++s) {
-      const Polygon3& polygon = scene_.polygons[s];
-      const bool is_held = format_ != MeshFormat3::kStl || polygon.points.size() == 3;
-      if (is_held && polygon.holes.empty()) {
-        add_face(s, polygon);
-        continue;
-      }
-      ++cut_;
-      for (const Polygon3& triangle : mesh_triangles(polygon)) add_face(s, triangle);
+      // A mesh has fronts alone.
+      const std::vector<Polygon3> left = beside_patches(carriers, {s, false});
+      if (left.empty()) covered_.push_back(scene_.surfaces[s].name);
+      if (left != std::vector{scene_.polygons[s]}) bases_.push_back(scene_.surfaces[s].name);
+      for (const Polygon3& polygon : left) add_polygon(s, polygon);
     }
+  }
+
+  void add_polygon(std::uint32_t s, const Polygon3& polygon) {
+    const bool is_held = format_ != MeshFormat3::kStl || polygon.points.size() == 3;
+    if (is_held && polygon.holes.empty()) return add_face(s, polygon);
+    ++cut_;
+    for (const Polygon3& triangle : mesh_triangles(polygon)) add_face(s, triangle);
   }
 
   void add_face(std::uint32_t surface, const Polygon3& polygon) {
@@ -299,6 +305,11 @@ class MeshWriter3 {
   }
 
   void note_cuts() {
+    if (!bases_.empty())
+      result_.notes.push_back("these have holes where patches lie on them, and are cut into convex faces: " +
+                              listed_names(bases_));
+    if (!covered_.empty())
+      result_.notes.push_back("patches cover these wholly, which have no face: " + listed_names(covered_));
     if (cut_ > 0)
       result_.notes.push_back(fmt::format("{} of {} polygons are cut into triangles: {} faces", cut_,
                                           scene_.polygons.size(), faces_.size()));
@@ -393,7 +404,8 @@ class MeshWriter3 {
   std::vector<const Point3*> points_;      // keys of index_, each once, in the order of the faces
   std::vector<std::uint32_t> first_face_;  // of each point: a surface that has it
   std::vector<WrittenFace> faces_;
-  std::size_t cut_ = 0;  // polygons
+  std::size_t cut_ = 0;                       // polygons
+  std::vector<std::string> bases_, covered_;  // of patches; wholly covered by them
 
   std::vector<std::string> text_;          // of each point
   std::vector<float> floats_;              // STL: three of each point

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "geometry/name.h"
+#include "geometry/planarity.h"
 #include "geometry/scene_names.h"
 #include "geometry/space/scene/near_plane.h"
 #include "io/scene/mtl_reader.h"
@@ -174,7 +175,7 @@ class ObjReader3 {
   const TextSource& files_;
   Mesh3 mesh_;
   std::vector<Point3> points_;
-  FinestDigit3 finest_;  // of these
+  FinestDigit finest_;  // of these
   Current group_, material_;
   MeshNames3 group_names_, material_names_;
   std::vector<std::filesystem::path> libraries_;

@@ -1,6 +1,7 @@
 #include "io/scene/space/off_reader.h"
 
 #include "geometry/name.h"
+#include "geometry/planarity.h"
 #include "geometry/space/scene/near_plane.h"
 #include "io/scene/text_words.h"
 #include "kernel/support/failure.h"
@@ -105,7 +106,7 @@ class OffReader3 {
   bool has_more_than_points_ = false;  // in the lines of vertices
   std::size_t vertices_ = 0;
   std::vector<Point3> points_;
-  FinestDigit3 finest_;  // of these
+  FinestDigit finest_;  // of these
 };
 
 }  // namespace

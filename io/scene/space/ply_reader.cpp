@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/name.h"
+#include "geometry/planarity.h"
 #include "geometry/space/scene/near_plane.h"
 #include "io/scene/binary_values.h"
 #include "io/scene/ply_header.h"
@@ -73,7 +74,7 @@ class TextBody {
   TextWords words_;
   const std::string& file_;
   Item item_;
-  FinestDigit3 finest_;
+  FinestDigit finest_;
 };
 
 // The rest of a binary file.

@@ -1,5 +1,6 @@
 #include "io/scene/space/scene_reader.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <unordered_map>
 #include <utility>
@@ -7,7 +8,9 @@
 
 #include "geometry/name.h"
 #include "geometry/near_names.h"
+#include "geometry/planarity.h"
 #include "geometry/space/scene/near_plane.h"
+#include "geometry/space/scene/patch_seats.h"
 #include "geometry/space/scene/seams.h"
 #include "io/scene/json_fields.h"
 #include "io/scene/space/mesh_reader.h"
@@ -41,6 +44,7 @@ class SpaceReader3 {
     if (expect) table_.read_expectations(expect);
     if (unit) table_.read_unit(unit);
     table_.settle_bands();
+    seat_patches(scene_, unit_of_digits_);
     validate(scene_);
     refuse_groups_of_one_name();
     return std::move(scene_);
@@ -60,16 +64,18 @@ class SpaceReader3 {
     scene_.surfaces.reserve(list.size());
     scene_.polygons.reserve(list.size());
     std::vector<std::pair<Surface, Polygon3>> found;
-    FinestDigit3 finest;
+    FinestDigit finest;
     table_.read_list(list, "polygons", "polygon", [&](const JsonValue& value, const std::string& name) {
       found.push_back(read_polygon(value, name, finest));
     });
     for (auto& [surface, polygon] : found) {
       open_seams(polygon);
       accept_nearly_plane(polygon, finest.unit());
-      if (triangulator_ == nullptr || !triangulator_->add(scene_, surface, polygon))
+      // A patch is put into the plane of its base; it is not cut where it is none by itself.
+      if (triangulator_ == nullptr || surface.on || !triangulator_->add(scene_, surface, polygon))
         scene_.add(std::move(surface), std::move(polygon));
     }
+    unit_of_digits_ = finest.unit();
     read_masks();
   }
 
@@ -96,7 +102,7 @@ class SpaceReader3 {
 
   // The digits of its coordinates are told to `finest`.
   std::pair<Surface, Polygon3> read_polygon(const JsonValue& value, const std::string& default_name,
-                                            FinestDigit3& finest) {
+                                            FinestDigit& finest) {
     constexpr std::array<std::string_view, 5> kMore{"holes", "group", "obstruction", "masks", "body"};
     SceneEntry entry = table_.read_entry(value, default_name, "polygon", kMore);
     if (entry.behind && !entry.more[1])
@@ -109,6 +115,8 @@ class SpaceReader3 {
     for (const JsonValue item : entry.points.items())
       polygon.points.push_back(read_corner(item, {entry.owner, "point"}, finest));
     if (const JsonValue holes = entry.more[0]) read_holes(holes, entry.owner, finest, polygon);
+    if (entry.more[3] && entry.on)
+      refuse(entry.more[3], entry.owner + " lies on another surface (\"on\"): it does not mask one too");
     if (entry.more[3]) masks_.emplace_back(entry.name, entry.more[3]);
     entry.surface.name = std::move(entry.name);
     entry.surface.line = value.line();
@@ -128,13 +136,13 @@ class SpaceReader3 {
     group.body = std::move(name);
   }
 
-  Point3 read_corner(const JsonValue& value, const Subject& subject, FinestDigit3& finest) const {
+  Point3 read_corner(const JsonValue& value, const Subject& subject, FinestDigit& finest) const {
     Point3 point = read_point(value, subject);
     for (const JsonValue coordinate : value.items()) finest.take(coordinate.text());
     return point;
   }
 
-  void read_holes(const JsonValue& holes, const std::string& owner, FinestDigit3& finest, Polygon3& polygon) const {
+  void read_holes(const JsonValue& holes, const std::string& owner, FinestDigit& finest, Polygon3& polygon) const {
     require_kind(holes, JsonKind::kArray, {owner, "holes"});
     for (const JsonValue hole : holes.items()) {
       require_kind(hole, JsonKind::kArray, {owner, "hole"});
@@ -187,7 +195,17 @@ class SpaceReader3 {
     if (about) read_string(about, {owner, "about"});
     if (behind) entry.behind = read_behind(behind, {owner, "behind"});
     entry.line = value.line();
-    adder.add(read_mesh_file(file, owner), entry);
+    const Mesh3 mesh = read_mesh_file(file, owner);
+    if (!scene_.bases.empty()) unit_of_digits_ = std::max(unit_of_digits_, unit_of(mesh, entry.scale));
+    adder.add(mesh, entry);
+  }
+
+  // What the last digit of the points of a mesh stands for.
+  static Rational unit_of(const Mesh3& mesh, const Rational& scale) {
+    Rational unit = mesh.unit;
+    if (mesh.float_digits > 0)
+      for (const MeshFace3& face : mesh.faces) unit = std::max(unit, float_spacing(face.polygon, mesh.float_digits));
+    return scale * unit;
   }
 
   Mesh3 read_mesh_file(const JsonValue& file, const std::string& owner) const {
@@ -289,6 +307,7 @@ class SpaceReader3 {
   Scene3 scene_;
   TableReader table_;
   std::vector<std::pair<std::string, JsonValue>> masks_;  // by name, with what they say
+  Rational unit_of_digits_;                               // of the points of polygons, and of meshes, the coarsest
   const TextSource& files_;
   Triangulator3* triangulator_;
   PassedOver* passed_over_;

@@ -9,6 +9,7 @@
 
 #include "geometry/name.h"
 #include "geometry/number.h"
+#include "geometry/planarity.h"
 #include "geometry/space/scene/near_plane.h"
 #include "io/scene/space/vs3_statements.h"
 #include "kernel/decimal.h"
@@ -282,8 +283,8 @@ class DeckReader3 {
   Vs3Deck3 deck_;
   bool has_vertices_ = true;  // F 3
   std::vector<Point3> vertices_;
-  FinestDigit3 finest_;  // of these
-  std::string owner_;    // of the record, for messages
+  FinestDigit finest_;  // of these
+  std::string owner_;   // of the record, for messages
 };
 
 }  // namespace

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "geometry/name.h"
 #include "geometry/space/arrangement/arrangement.h"
+#include "geometry/space/scene/patches.h"
+#include "geometry/space/scene/plane_frame.h"
 #include "io/scene/exact_decimal.h"
 #include "io/scene/space/mesh_pieces.h"
 #include "kernel/support/failure.h"
@@ -73,9 +76,11 @@ std::vector<std::size_t> fillers_of(const Scene3& scene, std::size_t s) {
 std::vector<std::string> surfaces_that_lose(const Scene3& scene) {
   const Arrangement3 arrangement(scene);
   if (arrangement.is_plain()) return {};
+  const PatchCarriers3 carriers(scene);
   const auto loses = [&](std::uint32_t s, bool is_back) {
     const Vector3 normal = doubled_area(scene.polygons[s]);
-    Rational rest = dot(normal, normal);
+    Rational rest;
+    for (const Polygon3& piece : beside_patches(carriers, {s, is_back})) rest += dot(normal, doubled_area(piece));
     if (!is_back)
       for (const Mask3& mask : scene.masks)
         if (mask.surface == s || mask.base == s) rest -= abs(dot(normal, doubled_area(scene.polygons[mask.surface])));
@@ -112,26 +117,52 @@ std::string title_of(const std::string& about) {
   return title.substr(0, end);
 }
 
+// The faces of patches that a face can be the base of: all that take something of it, where each is a later single
+// record within it, and no two share an area; empty where one of them is not so.
+std::vector<Face> subsurfaces_of(const PatchCarriers3& carriers, const Face& face) {
+  const Scene3& scene = carriers.scene();
+  if (!is_one_record(scene.polygons[face.surface]) || !scene.polygons[face.surface].holes.empty()) return {};
+  const PlaneFrame3 frame(scene.polygons[face.surface].points);
+  std::vector<Face> found;
+  std::vector<std::vector<FlatPoint3>> outlines;
+  for (const std::uint32_t t : carriers.on(face)) {
+    const Face patch{t, carriers.bases().is_on_backs(t) != face.is_back};
+    const Polygon3& polygon = scene.polygons[t];
+    if (PlaneFrame3(polygon.points).key() != frame.key()) continue;
+    std::vector<FlatPoint3> outline = frame.outline(polygon.points);
+    const auto shares = [&](const std::vector<FlatPoint3>& other) { return !common_part(outline, other).empty(); };
+    if (is_convex(polygon) && !shares(frame.outline(scene.polygons[face.surface].points))) continue;
+    const auto is_within = [&](const Point3& p) { return contains(scene.polygons[face.surface], p); };
+    if (t < face.surface || !is_one_record(polygon) || !polygon.holes.empty() ||
+        !std::ranges::all_of(polygon.points, is_within) || std::ranges::any_of(outlines, shares))
+      return {};
+    outlines.push_back(std::move(outline));
+    found.push_back(patch);
+  }
+  return found;
+}
+
 class DeckWriter3 {
  public:
   DeckWriter3(const Scene3& scene, bool combines_groups)
       : scene_(scene),
+        carriers_(scene),
         combines_groups_(combines_groups),
         leaders_(2 * scene.groups.size()),
-        base_of_(scene.surfaces.size()),
+        base_of_(2 * scene.surfaces.size()),
         record_of_(scene.surfaces.size()) {}
 
   WrittenVs3Deck3 write() {
     for (std::size_t s = 0; s < scene_.surfaces.size(); ++s) {
       if (scene_.surfaces[s].is_obstruction) {
-        if (base_of_[s] != 0) add_null(s);
+        if (base_of_[2 * s] != 0) add_null(s);
         continue;
       }
       if (!add_mask(s)) add_face(s, false);
       if (scene_.surfaces[s].back) add_face(s, true);
     }
     for (std::size_t s = 0; s < scene_.surfaces.size(); ++s)
-      if (scene_.surfaces[s].is_obstruction && base_of_[s] == 0) add_obstruction(s);
+      if (scene_.surfaces[s].is_obstruction && base_of_[2 * s] == 0) add_obstruction(s);
     WrittenVs3Deck3 deck;
     if (const std::string title = title_of(scene_.about); !title.empty()) deck.text = "T " + title + "\n";
     deck.text += fmt::format("C encl={}\nF 3\n!  #   x y z\n", scene_.closed ? 1 : 0);
@@ -143,6 +174,12 @@ class DeckWriter3 {
  private:
   void add_face(std::size_t s, bool is_back) {
     const Surface& surface = scene_.surfaces[s];
+    const Face face{static_cast<std::uint32_t>(s), is_back};
+    const std::vector<Face> subsurfaces = subsurfaces_of(carriers_, face);
+    const std::vector<Polygon3> left =
+        subsurfaces.empty() ? beside_patches(carriers_, face) : std::vector{scene_.polygons[s]};
+    if (left.empty()) return covered_.push_back(surface.name);
+    for (const Face& patch : subsurfaces) base_of_[patch.number()] = count_ + 1;
     const bool leads = combines_groups_ && !leaders_[2 * surface.group + is_back];
     const std::string& own = leads ? scene_.groups[surface.group].name : surface.name;
     const std::string name = word_of(own);
@@ -150,14 +187,17 @@ class DeckWriter3 {
     const std::string emittance = emittance_of(s, is_back);
     const std::vector<std::size_t> fillers = is_back ? std::vector<std::size_t>() : fillers_of(scene_, s);
     for (const std::size_t t : fillers) {
-      base_of_[t] = count_ + 1;
+      base_of_[2 * t] = count_ + 1;
       if (scene_.surfaces[t].is_obstruction) normal_of_base_[t] = doubled_area(scene_.polygons[s]);
     }
-    const std::vector<Polygon3> pieces =
-        fillers.empty() ? pieces_of(scene_.polygons[s]) : std::vector{Polygon3{scene_.polygons[s].points}};
+    std::vector<Polygon3> pieces;
+    if (fillers.empty())
+      for (const Polygon3& polygon : left) std::ranges::move(pieces_of(polygon), std::back_inserter(pieces));
+    else
+      pieces.push_back({scene_.polygons[s].points});
     if (pieces.size() > 1) cut_.push_back(surface.name);
     if (!is_back && pieces.size() == 1) record_of_[s] = count_ + 1;
-    const std::size_t base = is_back ? 0 : base_of_[s];
+    const std::size_t base = base_of_[face.number()];
     std::size_t leader = combines_groups_ ? leaders_[2 * surface.group + is_back].value_or(0) : 0;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       records_ += fmt::format("S {} {}   {} {}   {}   {}{}{}\n", ++count_, vertices_of(pieces[k], is_back), base,
@@ -194,7 +234,7 @@ class DeckWriter3 {
     changed_names_ += name != scene_.surfaces[s].name;
     const bool faces_it = dot(doubled_area(polygon), normal_of_base_.at(s)) < 0;
     records_ +=
-        fmt::format("N {} {}   {} 0   0.5   {}\n", count_ + 1, vertices_of(polygon, !faces_it), base_of_[s], name);
+        fmt::format("N {} {}   {} 0   0.5   {}\n", count_ + 1, vertices_of(polygon, !faces_it), base_of_[2 * s], name);
     ++count_;
   }
 
@@ -249,6 +289,7 @@ class DeckWriter3 {
     note_if(!cut_.empty(), listed_names(cut_) +
                                ": cut into pieces of three or four corners, which cmb combines again (not those of "
                                "obstructions)");
+    note_if(!covered_.empty(), "patches cover these faces wholly, which have no record: " + listed_names(covered_));
     const std::vector<std::string> losers = surfaces_that_lose(scene_);
     note_if(!losers.empty(), listed_names(losers) +
                                  ": whole in the deck, though parts are covered or belong to others; View3D does not "
@@ -273,15 +314,16 @@ class DeckWriter3 {
   }
 
   const Scene3& scene_;
+  const PatchCarriers3 carriers_;
   const bool combines_groups_;
   std::string vertices_, records_;
   std::size_t count_ = 0, backs_ = 0, changed_names_ = 0;
   std::vector<std::optional<std::size_t>> leaders_;  // of the fronts and the backs of each group
-  std::vector<std::size_t> base_of_;                 // the record that is the base of a surface, 0 without one
+  std::vector<std::size_t> base_of_;                 // by face: the record that is its base, 0 without one
   std::vector<std::size_t> record_of_;               // of the front of a surface, 0 where it is several
   std::map<std::size_t, Vector3> normal_of_base_;    // of obstructions
   std::map<std::string, std::size_t> numbers_;       // of vertices, by what is written of them
-  std::vector<std::string> cut_;
+  std::vector<std::string> cut_, covered_;           // into several records; by patches, wholly
   std::set<Rational> rounded_;
   bool has_colours_ = false, emits_ = false, is_clamped_ = false, has_rounded_emittance_ = false;
 };

@@ -30,6 +30,8 @@ struct WrittenVs3Deck3 {
 //   (6) a scene that is promised to be closed has encl=1
 //   (7) polygons are as listed: overlaps are not settled, and solids cover nothing
 //   (8) a mask is an M record
+//   (9) a patch is a subsurface of what it lies on, where both are one record and all patches there are so, each beside
+//       the others and after its base; else the base is cut into what patches leave of it. The same of backs
 //
 // What is rounded, cut or left out is noted, and which surfaces have less than (7) says.
 // REQUIRES: validate(scene) holds. Throws RequestError for a coordinate beyond the range of doubles, and for a mask

@@ -82,7 +82,9 @@ std::shared_ptr<const PreparedScene3> prepared_scene(const Scene3& scene, const 
       if (where.line > 0 && own.line == where.line && own.file == where.file) finding.surfaces = {s};
     }
     finding.message = std::string(error.what()).substr(place.size());
-    if (!error.hints().empty()) finding.suggestion = error.hints().front();
+    // The first says which materials they are, where there are more.
+    for (std::size_t k = error.hints().size() > 1 ? 1 : 0; k < error.hints().size(); ++k)
+      finding.suggestion += (finding.suggestion.empty() ? "" : "; ") + error.hints()[k];
     findings.push_back(std::move(finding));
     tell_unchecked("surfaces claim the same side with different materials", "mend that and check again", findings);
     return nullptr;

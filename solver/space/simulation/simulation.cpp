@@ -121,8 +121,17 @@ StagePtr<PreparedScene3> prepared_stage(const ScenePtr& scene, const StagePtr<Pr
 // All of a scene that its arrangement, and factors, come from but for its materials.
 bool is_same_shape(const Scene3& a, const Scene3& b) {
   return a.file == b.file && a.polygons == b.polygons && a.masks == b.masks && a.groups == b.groups &&
-         std::ranges::equal(a.surfaces, b.surfaces, &Surface::is_alike_undivided) &&
+         a.bases == b.bases && std::ranges::equal(a.surfaces, b.surfaces, &Surface::is_alike_undivided) &&
          std::ranges::equal(a.materials, b.materials, {}, &Material::name, &Material::name);
+}
+
+// Whether polygons, and what patches lie on, are the same.
+bool has_places_of(const Scene3& a, const Scene3& b) {
+  const auto is_alike = [](const Surface& s, const Surface& t) {
+    return s.on == t.on && s.group == t.group && s.name == t.name;
+  };
+  return a.polygons == b.polygons && a.bases == b.bases && a.groups == b.groups &&
+         std::ranges::equal(a.surfaces, b.surfaces, is_alike);
 }
 
 // Whether each light shines on the same: their shares are the same then.
@@ -368,7 +377,7 @@ Simulation3 Simulation3::with_materials(std::vector<Material> materials) const {
 }
 
 Simulation3 Simulation3::with_scene(Scene3 scene) const {
-  scene.polygons == version_->scene->polygons ? validate_but_polygons(scene) : validate(scene);
+  has_places_of(scene, *version_->scene) ? validate_but_polygons(scene) : validate(scene);
   return Simulation3(std::make_shared<const Version>(*version_, std::make_shared<const Scene3>(std::move(scene))));
 }
 

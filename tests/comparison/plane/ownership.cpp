@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "geometry/patch_bases.h"
 #include "kernel/support/failure.h"
 
 namespace hottel::oracle {
@@ -70,6 +73,7 @@ Scene2 to_scene(const std::vector<InputSegment>& edges) {
     material.emission = Spectrum::scalar(m == 2 ? 1 : 0);
     scene.materials.push_back(material);
   }
+  std::vector<std::string> names;  // a patch stands after what it lies on
   for (const std::vector<std::size_t>& group : groups_of(edges)) {
     const InputSegment& first = edges[group.front()];
     const bool is_polyline = first.group != kAlone;
@@ -81,6 +85,11 @@ Scene2 to_scene(const std::vector<InputSegment>& edges) {
       surface.material = static_cast<std::uint32_t>(edge.front_material);
       if (edge.back_material >= 0) surface.back = static_cast<std::uint32_t>(edge.back_material);
       surface.group = static_cast<std::uint32_t>(scene.groups.size());
+      if (!edge.on.empty()) {
+        surface.on = static_cast<std::uint32_t>(scene.bases.size());
+        scene.bases.push_back({names.at(edge.on.front()), edge.is_on_back});
+      }
+      names.push_back(surface.name);
       scene.add(surface, {{edge.ax, edge.ay}, {edge.bx, edge.by}});
     }
     scene.groups.push_back({name, to_engine(first.behind)});
@@ -95,15 +104,24 @@ std::vector<InputSegment> to_edges(const Scene2& scene, Divided2 divided) {
     return static_cast<int>(std::find(materials.begin(), materials.end(), materials[material]) - materials.begin());
   };
   std::vector<InputSegment> edges;
-  for (std::size_t place = 0; place < scene.surfaces.size(); ++place) {
+  std::vector<std::vector<std::size_t>> parts_of;  // by surface; a patch stands after what it lies on
+  const PatchBases bases(scene);
+  for (std::uint32_t place = 0; place < scene.surfaces.size(); ++place) {
     const Surface& s = scene.surfaces[place];
     const auto& [from, to] = scene.edges[place];
     const std::uint32_t parts = divided == Divided2::kYes ? s.elements : 1;
-    for (std::uint32_t k = 0; k < parts; ++k)
+    std::vector<std::size_t> on;
+    if (bases.is_patch(place))
+      for (const std::uint32_t base : bases.under(place))
+        on.insert(on.end(), parts_of.at(base).begin(), parts_of.at(base).end());
+    parts_of.emplace_back();
+    for (std::uint32_t k = 0; k < parts; ++k) {
+      parts_of.back().push_back(edges.size());
       edges.push_back({part_of(from.x, to.x, k, parts), part_of(from.y, to.y, k, parts),
                        part_of(from.x, to.x, k + 1, parts), part_of(from.y, to.y, k + 1, parts), number(s.material),
                        s.back ? number(*s.back) : -1, static_cast<int>(s.group),
-                       to_oracle(scene.groups[s.group].behind)});
+                       to_oracle(scene.groups[s.group].behind), on, s.on && bases.is_on_backs(place)});
+    }
   }
   return edges;
 }

@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "geometry/planarity.h"
 #include "geometry/space/scene/bent_loops.h"
 #include "geometry/space/scene/facet_scene.h"
 
@@ -24,12 +25,12 @@ using ::testing::StartsWith;
 Rational q(const char* text) { return *parse_rational(text); }
 
 Rational unit_of(std::initializer_list<std::string_view> numbers) {
-  FinestDigit3 finest;
+  FinestDigit finest;
   for (const std::string_view number : numbers) finest.take(number);
   return finest.unit();
 }
 
-TEST(FinestDigit3, IsThatOfTheNumberWithTheMostDecimals) {
+TEST(FinestDigit, IsThatOfTheNumberWithTheMostDecimals) {
   EXPECT_EQ(unit_of({}), 0);
   EXPECT_EQ(unit_of({"1/3", "-7/1000"}), 0);
   EXPECT_EQ(unit_of({"1/3", "12"}), 1);

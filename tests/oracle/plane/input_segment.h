@@ -21,6 +21,9 @@ struct InputSegment {
   int back_material = -1;
   int group = kAlone;  // edges that follow each other in the list with the same number are one polyline
   Behind behind = Behind::kNothingSaid;  // the same for all of a group
+  // Of a patch: the edges of the list that it lies on, or on whose backs it does. REQUIRES that it is alone.
+  std::vector<std::size_t> on{};
+  bool is_on_back = false;
 };
 
 // The edges of each group, in the order of the list.

@@ -127,14 +127,38 @@ class Settlement {
     std::vector<Claim> faces;
     for (const Lying& l : lying) {
       const Claim face = face_on(l, left);
-      const bool is_front = face.label % 2 == 0;
-      if (something_looks_in && is_front && behind.contains(group_of_[l.edge]))
+      const std::vector<std::size_t> groups = groups_below(l.edge, lying);
+      const bool is_silent = something_looks_in && face.label % 2 == 0 &&
+                             std::ranges::any_of(groups, [&](std::size_t g) { return behind.contains(g); });
+      if (is_silent)
         ++result_.silent_fronts;
-      else
+      else if (!is_given_up(face, lying, left))
         faces.push_back(face);
     }
     const auto& [a, b] = pieces_[piece];
     return settle(faces, a, b, result_.conflicts);
+  }
+
+  // The groups of an edge and of what it lies on there as a patch on fronts, and so on.
+  std::vector<std::size_t> groups_below(std::size_t edge, const std::vector<Lying>& lying) const {
+    std::vector<std::size_t> groups{group_of_[edge]};
+    for (const std::size_t base : edges_[edge].on)
+      if (!edges_[edge].is_on_back && std::ranges::any_of(lying, [&](const Lying& l) { return l.edge == base; }))
+        for (const std::size_t g : groups_below(base, lying)) groups.push_back(g);
+    return groups;
+  }
+
+  // The back of a patch that has none; what a patch there lies on, as it lies on it.
+  bool is_given_up(const Claim& face, const std::vector<Lying>& lying, bool left) const {
+    const auto edge = static_cast<std::size_t>(face.label / 2);
+    const bool is_back = face.label % 2 == 1;
+    if (is_back && !edges_[edge].on.empty() && face.material < 0) return true;
+    return std::ranges::any_of(lying, [&](const Lying& l) {
+      const InputSegment& patch = edges_[l.edge];
+      if (std::ranges::find(patch.on, edge) == patch.on.end()) return false;
+      const Claim own = face_on(l, left);
+      return own.label % 2 == 0 ? patch.is_on_back == is_back : own.material >= 0 && patch.is_on_back != is_back;
+    });
   }
 
   const std::vector<InputSegment>& edges_;

@@ -90,5 +90,27 @@ TEST(Frame2, KeepsSlenderScenesWithinBounds) {
   }
 }
 
+TEST(Outlines2, PatchesBelongToWhatTheyLieOn) {
+  DrawnScene drawn;
+  drawn.closed({{0, 0}, {0, 3}, {4, 3}, {4, 0}});
+  drawn.closed({{1, 1}, {2, 1}, {2, 2}, {1, 2}});
+  Scene2& scene = drawn.scene;
+  scene.bases = {{scene.surfaces[5].name}, {"patch"}};
+  Surface patch = scene.surfaces[0];
+  for (const auto& [name, on] : {std::pair{"patch", 0u}, {"inner", 1u}}) {
+    patch.name = name;
+    patch.on = on;
+    patch.group = static_cast<std::uint32_t>(scene.groups.size());
+    scene.groups.emplace_back(name);
+    scene.add(patch, {{2, Rational(5, 4)}, {2, Rational(7, 4)}});
+  }
+  validate(scene);
+  const Outlines2 found = outlines(scene);
+  ASSERT_EQ(found.closed.size(), 2u);
+  EXPECT_TRUE(found.loose.empty());
+  EXPECT_EQ(found.closed[1].surfaces, (std::vector<std::uint32_t>{4, 5, 6, 7, 8, 9}));
+  EXPECT_EQ(found.closed[1].polygon.size(), 4u);
+}
+
 }  // namespace
 }  // namespace hottel::outlines_test

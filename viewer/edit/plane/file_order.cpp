@@ -5,6 +5,8 @@
 #include <unordered_set>
 #include <utility>
 
+#include "geometry/patch_bases.h"
+#include "geometry/plane/scene/patches.h"
 #include "geometry/plane/scene/polyline_runs.h"
 #include "kernel/support/failure.h"
 #include "viewer/edit/free_names.h"
@@ -60,8 +62,12 @@ FileOrder2 in_file_order(Scene2 scene) {
   std::iota(place.begin(), place.end(), 0u);
   const SurfaceParts2 parts = surface_parts(scene);
   const Names polylines = names_of_polylines(scene, parts);
-  if (is_in_order(scene, parts, polylines)) return {std::move(scene), std::move(place)};
+  if (is_in_order(scene, parts, polylines)) {
+    settle_bases(scene);
+    return {std::move(scene), std::move(place)};
+  }
 
+  const Scene2 before = scene.bases.empty() ? Scene2() : scene;
   FreeNames names(scene);
   std::vector<Group> groups;
   Scene2 ordered;
@@ -86,6 +92,8 @@ FileOrder2 in_file_order(Scene2 scene) {
   scene.surfaces = std::move(ordered.surfaces);
   scene.edges = std::move(ordered.edges);
   scene.groups = std::move(groups);
+  if (!scene.bases.empty()) rename_bases(before, {place.begin(), place.end()}, scene);
+  settle_bases(scene);
   return {std::move(scene), std::move(place)};
 }
 

@@ -25,20 +25,34 @@ bool is_at_back(const Edge2& e, const Place2& place) {
 }  // namespace
 
 std::optional<std::uint32_t> ScenePick2::edge_at(const Place2& local, double reach) const {
+  // The back of a patch without one is that of what it lies on.
+  const auto is_there = [&](std::uint32_t s) {
+    return !patches_.is_patch(s) || scene_->surfaces[s].back || side_of(local_.edges()[s], local) <= 0;
+  };
   std::optional<std::uint32_t> nearest;
   double least = reach;
   for (std::uint32_t s = 0; s < local_.edges().size(); ++s) {
     const double distance = local_foot(local_.edges()[s], local).distance;
-    if (!(nearest ? distance < least : distance <= least)) continue;
+    if (!(nearest ? distance < least : distance <= least) || !is_there(s)) continue;
     least = distance;
     nearest = s;
   }
-  if (!nearest || side_of(local_.edges()[*nearest], local) <= 0) return nearest;
+  if (!nearest) return nearest;
+  const auto is_as_near = [&](std::uint32_t s) {
+    return is_there(s) && local_foot(local_.edges()[s], local).distance <= least + kSameDistance * reach;
+  };
+  if (const auto patch = innermost_patch(is_as_near)) return patch;
+  if (side_of(local_.edges()[*nearest], local) <= 0) return nearest;
   for (std::uint32_t s = 0; s < local_.edges().size(); ++s)
-    if (side_of(local_.edges()[s], local) <= 0 &&
-        local_foot(local_.edges()[s], local).distance <= least + kSameDistance * reach)
-      return s;
+    if (side_of(local_.edges()[s], local) <= 0 && is_as_near(s)) return s;
   return nearest;
+}
+
+std::optional<std::uint32_t> ScenePick2::innermost_patch(const std::function<bool(std::uint32_t)>& is_there) const {
+  std::optional<std::uint32_t> innermost;
+  for (std::uint32_t s = 0; s < local_.edges().size() && !patches_.is_empty(); ++s)
+    if (patches_.is_patch(s) && (!innermost || patches_.rests_on(s, *innermost)) && is_there(s)) innermost = s;
+  return innermost;
 }
 
 Pick2 ScenePick2::at(const Place2& place, double reach) const {

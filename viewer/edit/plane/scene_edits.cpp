@@ -8,6 +8,7 @@
 
 #include "geometry/name.h"
 #include "geometry/plane/arrangement/point_index.h"
+#include "geometry/plane/scene/patches.h"
 #include "kernel/support/failure.h"
 #include "viewer/edit/decimals.h"
 #include "viewer/edit/free_names.h"
@@ -30,13 +31,27 @@ Scene2 end_edit(Scene2 scene) {
   return in_file_order(std::move(scene)).scene;
 }
 
+// The same after edges moved.
+Scene2 end_move(const Scene2& before, Scene2 scene) {
+  carry_patches(before, scene);
+  return end_edit(std::move(scene));
+}
+
 // Every end of these surfaces goes where `place` says.
 template <class Place>
 Scene2 moved(const Scene2& scene, std::span<const std::uint32_t> surfaces, const Place& place) {
   Scene2 edited = begin_edit(scene);
   for (const std::uint32_t s : surfaces_of(surface_parts(scene, surfaces)))
     for (Point2* end : {&edited.edges[s].from, &edited.edges[s].to}) *end = place(*end);
-  return end_edit(std::move(edited));
+  return end_move(scene, std::move(edited));
+}
+
+// Some surfaces, and the patches that lie on them.
+std::vector<std::uint32_t> with_patches(const Scene2& scene, std::span<const std::uint32_t> surfaces) {
+  std::vector<std::uint32_t> all(surfaces.begin(), surfaces.end());
+  const std::vector<std::uint32_t> patches = patches_on(scene, all);
+  all.insert(all.end(), patches.begin(), patches.end());
+  return all;
 }
 
 // Adds surfaces to a scene, and finds them again where a file keeps them.
@@ -50,6 +65,20 @@ class Adder {
     surface.group = static_cast<std::uint32_t>(edited_.groups.size() - 1);
     edited_.add(std::move(surface), std::move(edge));
   }
+  // Copies of patches lie on the copies of what those lie on; where that was not copied they slide along it.
+  void lay_patches(const Scene2& before, const std::vector<std::optional<std::uint32_t>>& copies) {
+    const PatchCarriers2 carriers_of(before);
+    const PatchBases& bases = carriers_of.bases();
+    for (std::uint32_t s = 0; s < copies.size(); ++s) {
+      if (!copies[s] || !bases.is_patch(s)) continue;
+      const std::vector<std::uint32_t> carriers = carriers_of.of(s);
+      if (carriers.empty()) continue;
+      if (const auto carrier = copies[carriers.front()])
+        lay_on(*copies[s], {edited_.surfaces[*carrier].name, bases.is_on_backs(s)});
+      else
+        slide(before, s, *copies[s]);
+    }
+  }
   AddedSurfaces2 result() && {
     FileOrder2 ordered = in_file_order(std::move(edited_));
     AddedSurfaces2 result{std::move(ordered.scene), {ordered.place.begin() + before_, ordered.place.end()}};
@@ -58,6 +87,18 @@ class Adder {
   }
 
  private:
+  void lay_on(std::uint32_t patch, const PatchBase& base) {
+    edited_.surfaces[patch].on = static_cast<std::uint32_t>(edited_.bases.size());
+    edited_.bases.push_back(base);
+  }
+  // As the patch itself would, moved there.
+  void slide(const Scene2& before, std::uint32_t patch, std::uint32_t copy) {
+    Scene2 moved = before;
+    moved.edges[patch] = edited_.edges[copy];
+    carry_patches(before, moved);
+    edited_.edges[copy] = moved.edges[patch];
+  }
+
   std::ptrdiff_t before_;
   Scene2 edited_;
 };
@@ -104,7 +145,7 @@ Scene2 move_points(const Scene2& scene, std::span<const PointMove2> moves) {
   for (Edge2& edge : edited.edges)
     for (Point2* end : {&edge.from, &edge.to})
       if (const auto found = to.find(*end); found != to.end()) *end = *found->second;
-  return end_edit(std::move(edited));
+  return end_move(scene, std::move(edited));
 }
 
 Scene2 move_end(const Scene2& scene, std::uint32_t surface, bool is_last, const Point2& to) {
@@ -112,7 +153,7 @@ Scene2 move_end(const Scene2& scene, std::uint32_t surface, bool is_last, const 
   Scene2 edited = begin_edit(scene);
   Edge2& edge = edited.edges[surface];
   (is_last ? edge.to : edge.from) = to;
-  return end_edit(std::move(edited));
+  return end_move(scene, std::move(edited));
 }
 
 Scene2 move_surfaces(const Scene2& scene, std::span<const std::uint32_t> surfaces, const Rational& dx,
@@ -126,16 +167,22 @@ Scene2 rotate_surfaces(const Scene2& scene, std::span<const std::uint32_t> surfa
 }
 
 Scene2 reverse_surfaces(const Scene2& scene, std::span<const std::uint32_t> surfaces) {
-  const SurfaceParts2 parts = surface_parts(scene, surfaces);
+  const SurfaceParts2 parts = surface_parts(scene, with_patches(scene, surfaces));
   Scene2 edited = begin_edit(scene);
-  for (const SurfaceRun2& run : parts.polylines)
+  std::vector<std::optional<std::uint32_t>> place(scene.surfaces.size());
+  for (std::uint32_t s = 0; s < place.size(); ++s) place[s] = s;
+  for (const SurfaceRun2& run : parts.polylines) {
     std::reverse(edited.edges.begin() + run.begin, edited.edges.begin() + run.end);
+    for (std::uint32_t s = run.begin; s < run.end; ++s)
+      place[s] = static_cast<std::uint32_t>(run.begin + run.end) - 1 - s;
+  }
   for (const std::uint32_t s : surfaces_of(parts)) std::swap(edited.edges[s].from, edited.edges[s].to);
+  rename_bases(scene, place, edited);
   return end_edit(std::move(edited));
 }
 
 Scene2 erase_surfaces(const Scene2& scene, std::span<const std::uint32_t> surfaces) {
-  const std::vector<std::uint32_t> erased = surfaces_of(surface_parts(scene, surfaces));
+  const std::vector<std::uint32_t> erased = surfaces_of(surface_parts(scene, with_patches(scene, surfaces)));
   std::vector<std::uint32_t> kept;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
     if (!std::binary_search(erased.begin(), erased.end(), s)) kept.push_back(s);
@@ -149,7 +196,10 @@ AddedSurfaces2 duplicate_surfaces(const Scene2& scene, std::span<const std::uint
   const SurfaceParts2 parts = surface_parts(scene, surfaces);
   Adder adder(scene);
   FreeNames names(scene);
+  std::vector<std::optional<std::uint32_t>> copies(scene.surfaces.size());
+  auto count = static_cast<std::uint32_t>(scene.surfaces.size());
   const auto copy = [&](std::uint32_t s, std::string name) {
+    copies[s] = count++;
     Surface surface = scene.surfaces[s];
     surface.name = std::move(name);
     surface.line = 0;
@@ -169,6 +219,7 @@ AddedSurfaces2 duplicate_surfaces(const Scene2& scene, std::span<const std::uint
     adder.begin_group({name, group.behind});
     for (std::uint32_t s = run.begin; s < run.end; ++s) copy(s, piece_name(name, s - run.begin));
   }
+  adder.lay_patches(scene, copies);
   return std::move(adder).result();
 }
 

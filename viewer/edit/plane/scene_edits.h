@@ -8,6 +8,9 @@
 //   (3) what comes out may be invalid, as where an edge gets length zero or claims conflict: nothing is thrown for that
 //   (4) expectations are about the scene that went in: the one that comes out has none
 //   (5) all else is as it was, file and lines too
+//   (10) patches go with what they lie on (carry_patches): moved, turned round, erased and copied with it. One that is
+//   moved
+//       alone slides along that. They name what they lie on by its name now (rename_bases)
 //
 // REQUIRES: a scene that is valid but for (3); points in lowest terms. Throws ContractViolation for an index out of
 // range. A surface that is listed twice is listed once. COST: linear, and a copy of the scene.

@@ -6,6 +6,9 @@
 #include <numbers>
 #include <numeric>
 
+#include "geometry/patch_bases.h"
+#include "geometry/plane/scene/patches.h"
+
 namespace hottel {
 namespace {
 
@@ -70,12 +73,16 @@ double doubled_area(const Corners2& corners, const std::vector<std::uint32_t>& s
   return sum;
 }
 
-// Hands each closed polyline to `add`; returns which surfaces belong to none.
+// Hands each closed polyline to `add`; returns which surfaces belong to none. Patches are neither.
 template <class Add>
 std::vector<bool> singles(const Scene2& scene, const Corners2& corners, const Add& add) {
   std::vector<bool> single(corners.surfaces(), true);
   for (std::uint32_t begin = 0; begin < corners.surfaces();) {
     std::uint32_t end = begin + 1;
+    if (scene.surfaces[begin].on) {
+      single[begin++] = false;
+      continue;
+    }
     while (end < corners.surfaces() && scene.surfaces[end].group == scene.surfaces[begin].group &&
            corners.to[end - 1] == corners.from[end])
       ++end;
@@ -200,7 +207,8 @@ Outlines2::Outlines2(const Scene2& scene, const Corners2& corners) : closed(clos
     outline.bottom_right = extent.high;
   }
   for (std::uint32_t s = 0; s < corners.surfaces(); ++s)
-    if (!on_run[s]) loose.push_back(s);
+    if (!on_run[s] && !scene.surfaces[s].on) loose.push_back(s);
+  add_patches(scene);
   std::size_t steps = kNestingWork;
   for (std::size_t k = 0; k < closed.size(); ++k) nest(k, inner_point(closed[k]), steps);
   for (const std::uint32_t s : loose) {
@@ -215,6 +223,26 @@ Outlines2::Outlines2(const Scene2& scene, const Corners2& corners) : closed(clos
     }
     std::fill(around_loose.begin(), around_loose.end(), std::nullopt);
     levels = 2;
+  }
+}
+
+// Each with what it lies on.
+void Outlines2::add_patches(const Scene2& scene) {
+  const PatchCarriers2 carriers_of(scene);
+  const PatchBases& bases = carriers_of.bases();
+  if (bases.is_empty()) return;
+  std::vector<std::uint32_t> outline_of(scene.surfaces.size(), kNone);
+  for (std::uint32_t k = 0; k < closed.size(); ++k)
+    for (const std::uint32_t s : closed[k].surfaces) outline_of[s] = k;
+  for (std::uint32_t patch = 0; patch < scene.surfaces.size(); ++patch) {
+    if (!bases.is_patch(patch)) continue;
+    std::uint32_t below = patch;
+    while (bases.is_patch(below)) {
+      const std::vector<std::uint32_t> carriers = carriers_of.of(below);
+      if (carriers.empty()) break;
+      below = carriers.front();
+    }
+    (outline_of[below] == kNone ? loose : closed[outline_of[below]].surfaces).push_back(patch);
   }
 }
 

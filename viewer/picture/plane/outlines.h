@@ -13,12 +13,12 @@ namespace hottel {
 
 // A closed run of edges, end to end.
 struct Outline2 {
-  std::vector<std::uint32_t> surfaces;
-  std::vector<Pixel> polygon;         // where each of them begins
-  bool is_outward = false;            // fronts look outwards: furniture, a pillar; else inwards: a room
-  double area = 0;                    // in square pixels, positive
-  std::optional<std::size_t> around;  // the smallest outline that this one lies in
-  std::size_t level = 0;              // how many it lies in
+  std::vector<std::uint32_t> surfaces;  // those of the run, then the patches on them
+  std::vector<Pixel> polygon;           // where each of the run begins
+  bool is_outward = false;              // fronts look outwards: furniture, a pillar; else inwards: a room
+  double area = 0;                      // in square pixels, positive
+  std::optional<std::size_t> around;    // the smallest outline that this one lies in
+  std::size_t level = 0;                // how many it lies in
   Pixel top_left, bottom_right;
 };
 
@@ -28,6 +28,7 @@ struct Outline2 {
 //       leave a corner the run takes the one that keeps the region on its right narrowest
 //   (2) edges that lead nowhere (a screen, a door leaf) and runs without an inside are loose
 //   (3) outlines may touch what they lie in
+//   (4) patches belong to what they lie on, and make no outlines
 //
 // Made for drawing: decided in doubles. What is solid is another question (solid_polygons.h). Where it would take too
 // many steps to find what lies in what, as for many thousand outlines side by side, rooms are on level 0, furniture on
@@ -43,6 +44,7 @@ struct Outlines2 {
   Outlines2(const Scene2& scene, const Corners2& corners);
 
  private:
+  void add_patches(const Scene2& scene);
   // Both take what they do from the steps that are left, and stop when none are.
   std::optional<std::size_t> innermost(std::size_t count, Pixel point, std::size_t& steps) const;
   void nest(std::size_t k, Pixel point, std::size_t& steps);

@@ -69,6 +69,7 @@ SceneSheet2::SceneSheet2(const PreparedScene2& prepared, const SheetText2& text,
       footer_left_(frame_.top_left().x),
       footer_right_(frame_.bottom_right().x) {
   set_widths();
+  for (const Surface& surface : prepared.scene.surfaces) is_patch_.push_back(surface.on.has_value());
 }
 
 SceneSheet2::SceneSheet2(const PreparedScene2& prepared, const Frame2& frame, double unit, double footer)
@@ -83,6 +84,7 @@ SceneSheet2::SceneSheet2(const PreparedScene2& prepared, const Frame2& frame, do
       footer_left_(kFooterSide * unit_),
       footer_right_(frame_.width() - kFooterSide * unit_) {
   set_widths();
+  for (const Surface& surface : prepared.scene.surfaces) is_patch_.push_back(surface.on.has_value());
 }
 
 void SceneSheet2::set_widths() {
@@ -150,7 +152,8 @@ void SceneSheet2::draw_text(PictureCanvas& canvas, const std::string& text, doub
 
 void SceneSheet2::draw_walls(PictureCanvas& canvas, const std::vector<bool>& hidden) const {
   for (std::uint32_t s = 0; s < corners_.surfaces(); ++s)
-    if (hidden.empty() || !hidden[s]) canvas.stroke(Mark::kEdge, from(s), to(s), palette::kInk, wall_width_);
+    if (!is_patch_[s] && (hidden.empty() || !hidden[s]))
+      canvas.stroke(Mark::kEdge, from(s), to(s), palette::kInk, wall_width_);
 }
 
 void SceneSheet2::draw_footer_paper(PictureCanvas& canvas) const {

@@ -54,7 +54,8 @@ class SceneSheet2 {
   // Paper, title, the outlines from the outside in, floors light and warm, and over them the solids of the arrangement,
   // grey and hatched. Faces are clipped to the room they are in; each surface is handed to `faces` once.
   void draw_ground(PictureCanvas& canvas, const Ground& ground) const;
-  // One dark line for each edge that is not hidden. hidden: one entry per surface, or none at all.
+  // One dark line for each edge that is not hidden, but for patches, which lie on one. hidden: one entry per surface,
+  // or none at all.
   void draw_walls(PictureCanvas& canvas, const std::vector<bool>& hidden = {}) const;
   // Paper behind a footer that lies over the drawing, translucent; nothing where there is room kept free for it.
   void draw_footer_paper(PictureCanvas& canvas) const;
@@ -81,6 +82,7 @@ class SceneSheet2 {
   Corners2 corners_;
   Outlines2 outlines_;
   std::vector<std::vector<Pixel>> solids_;
+  std::vector<bool> is_patch_;  // by surface
   double wall_width_ = 0, stripe_depth_ = 0;
   bool has_footer_over_drawing_ = false;
   double footer_top_, footer_left_, footer_right_;

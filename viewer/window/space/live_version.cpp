@@ -64,7 +64,8 @@ SceneVersion3::ModelStage SceneVersion3::model_of(const Simulation3& simulation)
 bool SceneVersion3::has_shape_of(const Scene3& other) const {
   return scene_->file == other.file && scene_->polygons == other.polygons && scene_->surfaces == other.surfaces &&
          scene_->materials.size() == other.materials.size() && scene_->groups == other.groups &&
-         scene_->masks == other.masks && scene_->sky_emission == other.sky_emission && scene_->closed == other.closed;
+         scene_->bases == other.bases && scene_->masks == other.masks && scene_->sky_emission == other.sky_emission &&
+         scene_->closed == other.closed;
 }
 
 SceneVersion3 SceneVersion3::with_scene(std::shared_ptr<const Scene3> scene) const {

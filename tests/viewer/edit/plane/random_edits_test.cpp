@@ -166,5 +166,14 @@ TEST(RandomEdits2, AreSavedAsTheyAreSeenInASmallRoom) {
   EXPECT_GT(made, 3000u);
 }
 
+TEST(RandomEdits2, AreSavedAsTheyAreSeenOfPatches) {
+  std::size_t made = 0;
+  for (std::uint64_t seed = 300; seed < 320; ++seed) {
+    made += edit_and_undo(patched_room(), 200, seed);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(made, 2000u);
+}
+
 }  // namespace
 }  // namespace hottel::random_edits_test
