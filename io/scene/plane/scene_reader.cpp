@@ -28,6 +28,7 @@ class PlaneReader {
     if (expect) table_.read_expectations(expect);
     if (unit) table_.read_unit(unit);
     table_.settle_bands();
+    settle_two_sided(scene_);
     validate(scene_);
     refuse_names_of_edges(scene_, polyline_line_);
     return std::move(scene_);

@@ -1,5 +1,6 @@
 #include "io/scene/space/scene_reader.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <unordered_map>
 #include <utility>
@@ -16,6 +17,16 @@
 
 namespace hottel {
 namespace {
+
+// Of a group that a mesh has not: those near to its name, or those there are.
+std::vector<std::string> group_hints(const std::string& name, const std::vector<std::string>& groups) {
+  constexpr std::size_t kMost = 8;
+  if (auto near = near_name_hints(name, groups); !near.empty()) return near;
+  std::string text = groups.size() == 1 ? "its group is" : "its groups are";
+  for (std::size_t k = 0; k < std::min(kMost, groups.size()); ++k)
+    text += (k > 0 ? ", " : " ") + quoted_name(groups[k]);
+  return {text + (groups.size() > kMost ? ", ..." : "")};
+}
 
 class SpaceReader3 {
  public:
@@ -41,6 +52,7 @@ class SpaceReader3 {
     if (expect) table_.read_expectations(expect);
     if (unit) table_.read_unit(unit);
     table_.settle_bands();
+    settle_two_sided(scene_);
     validate(scene_);
     refuse_groups_of_one_name();
     return std::move(scene_);
@@ -170,9 +182,10 @@ class SpaceReader3 {
   }
 
   void read_mesh(const JsonValue& value, const std::string& default_name, MeshAdder3& adder) {
-    const auto [file, name, material, scale, back, elements, about, behind] = read_members(
-        value, {default_name},
-        std::array<std::string_view, 8>{"file", "name", "material", "scale", "back", "elements", "about", "behind"});
+    const auto [file, name, material, scale, back, elements, about, behind, backs] =
+        read_members(value, {default_name},
+                     std::array<std::string_view, 9>{"file", "name", "material", "scale", "back", "elements", "about",
+                                                     "behind", "backs"});
     require_member(file, "file", value, {default_name});
     MeshEntry3 entry;
     entry.name = name ? read_string(name, {default_name, "name"}) : default_name;
@@ -187,7 +200,25 @@ class SpaceReader3 {
     if (about) read_string(about, {owner, "about"});
     if (behind) entry.behind = read_behind(behind, {owner, "behind"});
     entry.line = value.line();
-    adder.add(read_mesh_file(file, owner), entry);
+    const Mesh3 mesh = read_mesh_file(file, owner);
+    if (backs) read_backs(backs, owner, mesh, entry);
+    adder.add(mesh, entry);
+  }
+
+  // The materials of backs by groups of the mesh; the faces without one are called so as the mesh is.
+  void read_backs(const JsonValue& backs, const std::string& owner, const Mesh3& mesh, MeshEntry3& entry) const {
+    require_kind(backs, JsonKind::kObject, {owner, "backs"});
+    std::vector<std::string> groups;
+    for (const MeshName3& group : mesh.groups) groups.push_back(group.name);
+    if (std::ranges::any_of(mesh.faces, [](const MeshFace3& face) { return !face.group; }))
+      groups.push_back(entry.name);
+    for (const auto [key, value] : backs.members()) {
+      const std::string group(key.text());
+      if (std::ranges::find(groups, group) == groups.end())
+        refuse(key, owner + ": backs: " + mesh.file + " has no group " + quoted_name(group),
+               group_hints(group, groups));
+      entry.backs.emplace(group, table_.material_of(value, {owner, "the back of " + quoted_name(group)}));
+    }
   }
 
   Mesh3 read_mesh_file(const JsonValue& file, const std::string& owner) const {
