@@ -14,6 +14,7 @@
 #include "io/foreign/plane/foreign_matrix.h"
 #include "io/results/npy.h"
 #include "io/results/plane/check_report.h"
+#include "io/results/short_digits.h"
 #include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
@@ -180,12 +181,15 @@ std::optional<PictureLight> picture_light_of(const SolveOptions& options, const 
 void write_results(const SolveOptions& options, const Simulation2& simulation, const Results& results,
                    const NetFluxes& fluxes, const Streams& streams, Outputs& outputs) {
   const RadiositySolution& solution = *results.solution;
-  write_radiosity_csv(simulation.scene(), results.factors->matrix, solution,
-                      [&outputs](std::string_view text) { outputs.csv.write(text); });
-  write_flux_csv(fluxes, [&outputs](std::string_view text) { outputs.flux.write(text); });
+  write_radiosity_csv(
+      simulation.scene(), results.factors->matrix, solution,
+      [&outputs](std::string_view text) { outputs.csv.write(text); }, options.digits);
+  write_flux_csv(
+      fluxes, [&outputs](std::string_view text) { outputs.flux.write(text); }, options.digits);
   if (outputs.temperature)
-    write_temperature_csv(simulation.scene(), results.factors->matrix, solution,
-                          [&outputs](std::string_view text) { outputs.temperature->write(text); });
+    write_temperature_csv(
+        simulation.scene(), results.factors->matrix, solution,
+        [&outputs](std::string_view text) { outputs.temperature->write(text); }, options.digits);
   if (outputs.npy) {
     const IlluminationGrid2& light = results.light->grid;
     const std::size_t shape[3] = {light.grid.ny, light.grid.nx, light.channels};
@@ -407,6 +411,11 @@ void add_solve(Commands& commands) {
   command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
       ->type_name("BYTES")
       ->transform(whole_number(1));
+  command
+      .add_option("--digits", options->digits,
+                  "numbers of the csv files rounded to N significant digits, lower bounds down and upper bounds up")
+      ->type_name("N")
+      ->transform(whole_number(1, kMostDigits));
   command.add_flag("--json", options->json, "report.json on standard output too");
 }
 

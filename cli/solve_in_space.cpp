@@ -164,12 +164,15 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
 
   Stopwatch watch;
   const NetFluxes fluxes(simulation.scene(), factors->matrix, *solution, *simulation.light_shares());
-  write_radiosity_csv(simulation.scene(), factors->matrix, *solution,
-                      [&csv](std::string_view text) { csv.write(text); });
-  write_flux_csv(fluxes, [&flux](std::string_view text) { flux.write(text); });
+  write_radiosity_csv(
+      simulation.scene(), factors->matrix, *solution, [&csv](std::string_view text) { csv.write(text); },
+      options.digits);
+  write_flux_csv(
+      fluxes, [&flux](std::string_view text) { flux.write(text); }, options.digits);
   if (temperature)
-    write_temperature_csv(simulation.scene(), factors->matrix, *solution,
-                          [&temperature](std::string_view text) { temperature->write(text); });
+    write_temperature_csv(
+        simulation.scene(), factors->matrix, *solution,
+        [&temperature](std::string_view text) { temperature->write(text); }, options.digits);
   naming_file(options.scene, [&] {
     write_radiosity_vtu(*simulation.prepared(), request.factors.granularity, factors->matrix, *solution,
                         [&vtu](std::string_view text) { vtu.write(text); });
