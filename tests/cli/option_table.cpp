@@ -611,6 +611,7 @@ const std::vector<OptionEntry>& option_entries() {
        "hottel solve $Q -o out --grid 2x2; ls out",
        {{"hottel solve $Q -o out --no-illumination --grid 2x2", "excludes"},
         {"hottel solve $Q -o out --no-illumination --illumination average", "excludes"},
+        {"hottel solve $Q -o out --no-illumination --shading smooth", "excludes"},
         {"hottel solve $Q -o out --no-illumination --simulate everything", "exclude each other"}}},
       {"solve",
        "-o",

@@ -107,4 +107,21 @@ void OrientedLights2::see(const Eye2& eye, const View2& view, const std::array<d
   }
 }
 
+std::vector<OrientedLight> lights_around_cells(const PreparedScene2& prepared, const IlluminationGrid2& light,
+                                               const std::function<void(double)>& progress) {
+  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+  const std::vector<double> dark(table.count(), 0.0), bright{1.0};  // faces, and the sky
+  const IlluminationGrid2 sky = illuminate_points(prepared, light.grid, table, SentOut2(table, dark, bright), progress);
+  std::vector<OrientedLight> result;
+  for (std::uint32_t iy = 0; iy < light.grid.ny; ++iy)
+    for (std::uint32_t ix = 0; ix < light.grid.nx; ++ix) {
+      OrientedLight cell;
+      for (std::uint32_t c = 0; c < light.channels; ++c) cell.mean_irradiance.push_back(light.at(ix, iy, c));
+      cell.irradiance = cell.mean_irradiance;
+      cell.sky_view_factor = sky.at(ix, iy);
+      result.push_back(std::move(cell));
+    }
+  return result;
+}
+
 }  // namespace hottel

@@ -1,10 +1,13 @@
 // The light of a solution on small areas at points of the plane.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <vector>
 
 #include "geometry/plane/point.h"
 #include "geometry/plane/visibility/point_location.h"
+#include "solver/plane/light/illumination_grid.h"
 #include "solver/plane/light/light_columns.h"
 #include "solver/plane/light/lit_region.h"
 #include "solver/plane/light/point_lights.h"
@@ -41,5 +44,12 @@ class OrientedLights2 {
   SentOut2 sent_out_;
   LitRegions2 lit_;
 };
+
+// Returns what the centres of cells get of all directions, as OrientedLight tells it of none in particular: in place of
+// `irradiance` the mean irradiance, in place of `sky_view_factor` the fraction of all directions that lead to the sky.
+// `light`: the mean irradiance there (illuminate_points, with lights). REQUIRES the scene's. COST: that of
+// illuminate_points.
+std::vector<OrientedLight> lights_around_cells(const PreparedScene2& prepared, const IlluminationGrid2& light,
+                                               const std::function<void(double)>& progress = {});
 
 }  // namespace hottel

@@ -1,10 +1,12 @@
 // The light of a solution on small areas at points of space.
 #pragma once
 
-#include <memory>
+#include <functional>
+#include <vector>
 
 #include "geometry/element.h"
 #include "geometry/space/point.h"
+#include "geometry/space/scene/scene.h"
 #include "solver/radiosity/oriented_light.h"
 #include "solver/radiosity/radiosity_solution.h"
 #include "solver/space/light/scene_lights.h"
@@ -34,5 +36,13 @@ class OrientedLights3 {
   SentOut3 sent_out_;
   SceneLights3 lights_;
 };
+
+// Returns the light at the centre of each cell of a grid, in the order of IlluminationGrid3, on areas whose fronts look
+// along u x v: OrientedLights3::at, bit for bit.
+//
+// progress: fraction done; may throw to stop. REQUIRES what OrientedLights3 does. COST: parallel.
+std::vector<OrientedLight> oriented_lights_on_grid(const PreparedScene3& prepared, Granularity granularity,
+                                                   const RadiositySolution& solution, const Grid3& grid,
+                                                   const std::function<void(double)>& progress = {});
 
 }  // namespace hottel
