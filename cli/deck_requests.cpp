@@ -44,6 +44,10 @@ void take_row(const FactorsOptions& options, const Streams& streams, FactorTable
                              options.matrix.empty() ? ".npy" : "--matrix"));
     return;
   }
+  if (!options.rows.empty()) {
+    streams.note("row and col of the deck are not obeyed: --rows says which rows are listed");
+    return;
+  }
   table.only_rows = labels_of(table, *deck.row);
   if (deck.column) table.only_columns = labels_of(table, *deck.column);
   streams.note("row: of all rows that of " + told(table, *deck.row) + " is written" +

@@ -10,10 +10,11 @@
 #include "cli/methods.h"
 #include "cli/script_f.h"
 #include "geometry/plane/exchange/closed_forms.h"
+#include "geometry/plane/exchange/element_pieces.h"
 #include "geometry/plane/exchange/exchange.h"
-#include "geometry/plane/scene/division.h"
 #include "io/foreign/plane/foreign_matrix.h"
 #include "io/results/factors_report.h"
+#include "io/results/short_digits.h"
 #include "io/scene/space/vs3_reader.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/naming_file.h"
@@ -45,6 +46,25 @@ void take_exact_form(FactorsOptions& options) {
   if (options.exact_form.size() % 2 == 1) throw UsageError("--exact-form takes no name or two");
 }
 
+void require_sense_of_digits(const FactorsOptions& options) {
+  if (!options.digits) return;
+  if (options.wants_exact_form) throw UsageError("--digits rounds numbers, and --exact-form has none");
+  if (options.format() != FactorsFormat::kCsv)
+    throw UsageError("--digits is of csv: '" + options.out + "' holds numbers as they are");
+  if (options.json && options.out.empty())
+    throw UsageError("with --json the factors need a file: --digits wants -o FILE");
+}
+
+void require_sense_of_rows(const FactorsOptions& options) {
+  if (options.rows.empty()) return;
+  if (options.wants_exact_form) throw UsageError("--rows is of view factors: --exact-form A B chooses pairs");
+  if (const FactorsFormat format = options.format();
+      !options.matrix.empty() || (format != FactorsFormat::kCsv && format != FactorsFormat::kMtx))
+    throw UsageError("--rows says which rows are listed: --matrix, .npy, .txt and .bin hold all");
+  if (options.json && options.out.empty())
+    throw UsageError("with --json the factors need a file: --rows wants -o FILE");
+}
+
 // What CLI11 does not see.
 void require_sense(const FactorsOptions& options) {
   if (options.scene.empty()) throw UsageError("factors needs a scene");
@@ -73,6 +93,8 @@ void require_sense(const FactorsOptions& options) {
   if (options.script_f && options.matrix != "" && options.matrix != "factor")
     throw UsageError("--script-f is written as --matrix factor, not --matrix " + options.matrix);
   if (options.script_f && options.pairs != "visible") throw UsageError("--script-f lists all pairs that exchange heat");
+  require_sense_of_digits(options);
+  require_sense_of_rows(options);
   if (options.picture.empty() != options.toward.empty()) throw UsageError("--picture and --toward go together");
   if (!options.picture.empty() && options.granularity != "face")
     throw UsageError("--picture colours whole faces: it is drawn --per face, not --per " + options.granularity);
@@ -101,11 +123,12 @@ void write_closed_forms(const FactorsOptions& options, const PreparedScene2& pre
                         exact_areas(prepared, table.granularity), [&out](std::string_view text) { out.write(text); });
 }
 
-SimulationRequest2 request_of(const FactorsOptions& options) {
+SimulationRequest2 request_of(const FactorsOptions& options, const Scene2& scene) {
   return {.method = all_methods_2().make(options.method),
           .granularity = options.per(),
           .wants_visibility = options.is_exact() && (options.matrix.empty() || options.matrix == "visibility"),
           .wants_measures = options.matrix == "exchange",
+          .rows = rows_to_compute(options, scene),
           .memory = options.memory,
           .store = options.store.open(options.method)};
 }
@@ -125,7 +148,7 @@ Factors factors_of(const FactorsOptions& options, const Simulation2& simulation,
 }
 
 void factors_in_plane(const FactorsOptions& options, Scene2 scene, Streams& streams) {
-  SimulationRequest2 request = request_of(options);
+  SimulationRequest2 request = request_of(options, scene);
   const auto picture = options.picture.empty() ? std::nullopt : picture_format(options.picture);
   require_use_of_limits(options);
   options.elements.apply_to(scene);
@@ -141,6 +164,7 @@ void factors_in_plane(const FactorsOptions& options, Scene2 scene, Streams& stre
   const PreparedScene2& prepared = *factors.prepared;
   FactorTable table{prepared.scene, factors.written(), factors.report.granularity, {}, {}};
   if (factors.gray) table.gray_channel = factors.gray->channel;
+  take_rows(options, streams, table);
   if (options.pairs == "facing" || options.matrix == "visibility")
     table.hidden = hidden_pairs(prepared, table.granularity, factors.matrix());
   if (picture)
@@ -149,9 +173,8 @@ void factors_in_plane(const FactorsOptions& options, Scene2 scene, Streams& stre
   if (files.out)
     naming_file(options.scene, [&] {
       if (options.wants_exact_form) return write_closed_forms(options, prepared, table, *files.out);
-      write_table(options, table, files, [&](const Sink& sink) {
-        write_faces_csv(table, element_ends(prepared.scene, table.matrix.elements()), sink);
-      });
+      write_table(options, table, files,
+                  [&](const Sink& sink) { write_faces_csv(table, element_pieces(prepared, table.granularity), sink); });
     });
   files.finish();
   if (options.json) streams.write("", factors_json(factors.report));
@@ -236,6 +259,7 @@ void add_factors(Commands& commands) {
        "hottel factors scenes/space/two_boxes.json",
        "hottel factors scenes/space/cube.json --per element --elements 3 --tolerance 1e-12 -o "
        "/tmp/cube.mtx",
+       "hottel factors scenes/space/two_boxes.json --rows 'lamp*' --digits 4",
        "hottel factors scenes/showcase/apartment.json --quiet -o /tmp/factors.csv --picture "
        "/tmp/windows.png --toward 'window*'"},
       [options](Streams& streams) { return factors(*options, streams); });
@@ -270,6 +294,16 @@ void add_factors(Commands& commands) {
           ->capture_default_str();
   command.add_flag("--areas", options->areas,
                    "the list of pairs has the area of each face too, in two columns at its end");
+  command
+      .add_option("--rows", options->rows,
+                  "list these rows alone, and compute no others where that saves work: fronts (no backs), or a face, a "
+                  "polyline, a group, or all whose names begin with NAME*")
+      ->type_name("fronts|NAME");
+  command
+      .add_option("--digits", options->digits,
+                  "of csv: numbers rounded to N significant digits, lower bounds down and upper bounds up")
+      ->type_name("N")
+      ->transform(whole_number(1, kMostDigits));
   add_quantity_options(command, *options);
   options->store.add_to(command);
   command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")

@@ -9,7 +9,7 @@
 #include "cli/script_f.h"
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/prepared_scene.h"
-#include "geometry/space/exchange/written_corners.h"
+#include "geometry/space/exchange/written_outlines.h"
 #include "io/foreign/space/foreign_matrix.h"
 #include "io/results/space/element_files.h"
 #include "io/results/space/factors_report.h"
@@ -37,7 +37,7 @@ void require_what_space_has(const FactorsOptions& options) {
   if (options.memory > 0) refuse_of("--memory");
 }
 
-FactorsRequest3 request_in_space(const FactorsOptions& options) {
+FactorsRequest3 request_in_space(const FactorsOptions& options, const Scene3& scene) {
   return {.method = options.is_exact() ? nullptr : all_methods_3().make(options.method),
           .granularity = options.per(),
           .wants_visibility = options.is_exact() && (options.matrix.empty() || options.matrix == "visibility"),
@@ -45,6 +45,7 @@ FactorsRequest3 request_in_space(const FactorsOptions& options) {
           .tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance),
           .sky = options.sky.in_space(options.method),
           .must_be_enclosed = options.guarantee == "enclosed",
+          .rows = rows_to_compute(options, scene),
           .memory = options.memory,
           .store = options.store.open(options.method)};
 }
@@ -53,7 +54,7 @@ FactorsRequest3 request_in_space(const FactorsOptions& options) {
 
 void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams& streams) {
   require_what_space_has(options);
-  const FactorsRequest3 request = request_in_space(options);
+  const FactorsRequest3 request = request_in_space(options, scene);
   options.elements.apply_to(scene);
   require_room_for(options, [&](DenseFormat format) {
     const ElementCounts3 counts = element_counts(scene, request.granularity);
@@ -73,6 +74,7 @@ void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams
   if (options.script_f) gray = gray_factors(options, computed->matrix, prepared->scene.materials, streams);
   FactorTable table{prepared->scene, gray ? gray->matrix : computed->matrix, request.granularity};
   if (gray) table.gray_channel = gray->channel;
+  take_rows(options, streams, table);
   obey_deck(options, streams, table, prepared->scene.polygons);
   if (options.pairs == "facing" || options.matrix == "visibility") table.hidden = *simulation.hidden(streams.stages());
   if (files.out)
@@ -80,7 +82,7 @@ void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams
       write_table(options, table, files, [&](const Sink& sink) {
         const ElementTable3 elements(prepared->scene, prepared->arrangement(), prepared->blockers(),
                                      request.granularity);
-        write_faces_csv_3(table, written_corners(elements, prepared->blockers().vertices()), sink);
+        write_faces_csv_3(table, written_outlines(elements, prepared->blockers().vertices()), sink);
       });
     });
   files.finish();

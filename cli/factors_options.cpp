@@ -49,6 +49,32 @@ void require_room_for(const FactorsOptions& options, const std::function<DenseSi
                 "; lists of the pairs that see each other, -o FILE.csv or FILE.mtx without --matrix, are smaller");
 }
 
+RowChoice rows_to_compute(const FactorsOptions& options, const SceneTable& scene) {
+  if (options.rows.empty()) return {};
+  const RowChoice written = RowChoice::of(scene, options.rows, options.per());
+  const bool has_other_uses = options.script_f || !options.picture.empty() || !options.is_exact();
+  return has_other_uses ? RowChoice() : written;
+}
+
+void take_rows(const FactorsOptions& options, const Streams& streams, FactorTable& table) {
+  if (options.rows.empty()) return;
+  const ExchangeMatrix& matrix = table.matrix;
+  const RowChoice choice = RowChoice::of(table.scene, options.rows, table.granularity);
+  std::size_t all = 0;
+  table.only_rows.clear();
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    ++all;
+    if (choice.has(matrix.elements()[i])) table.only_rows.push_back(i);
+  }
+  if (table.only_rows.empty())
+    throw UsageError(
+        fmt::format("--rows {}: none of these has a row in {}: they have no material there, or nothing is "
+                    "left of them",
+                    options.rows, options.scene));
+  streams.note(fmt::format("--rows {}: {} of {} rows", options.rows, table.only_rows.size(), all));
+}
+
 FactorsFiles::FactorsFiles(const FactorsOptions& options, const Streams& streams) {
   const FactorsFormat format = options.format();
   if (!options.json || !options.out.empty()) out.emplace(streams.output(options.out));
@@ -77,8 +103,10 @@ void note_matrix(const FactorsOptions& options, const FactorTable& table, const 
 void write_table(const FactorsOptions& options, const FactorTable& table, FactorsFiles& files,
                  const std::function<void(const Sink&)>& write_faces) {
   const Sink sink = [&files](std::string_view text) { files.out->write(text); };
+  FactorTable in_csv = table;
+  in_csv.digits = options.digits;
   if (!options.matrix.empty()) {
-    write_dense_csv(table,
+    write_dense_csv(in_csv,
                     options.matrix == "factor"     ? DenseQuantity::kFactor
                     : options.matrix == "exchange" ? DenseQuantity::kExchange
                                                    : DenseQuantity::kVisibility,
@@ -86,11 +114,9 @@ void write_table(const FactorsOptions& options, const FactorTable& table, Factor
     return;
   }
   switch (options.format()) {
-    case FactorsFormat::kCsv: {
-      FactorTable listed = table;
-      listed.has_areas = options.areas;
-      return write_factors_csv(listed, sink);
-    }
+    case FactorsFormat::kCsv:
+      in_csv.has_areas = options.areas;
+      return write_factors_csv(in_csv, sink);
     case FactorsFormat::kMtx:
       write_factors_mtx(table, sink);
       return write_faces([&files](std::string_view text) { files.rows->write(text); });

@@ -12,6 +12,7 @@
 #include "cli/sky_option.h"
 #include "cli/store_option.h"
 #include "cli/streams.h"
+#include "geometry/row_choice.h"
 #include "io/results/factor_files.h"
 
 namespace hottel {
@@ -31,6 +32,8 @@ struct FactorsOptions {
   bool wants_exact_form = false, json = false, script_f = false, areas = false;
   std::string channel;
   std::string picture, toward;
+  std::string rows;  // those that are written; empty: all
+  std::optional<int> digits;
   std::uint64_t memory = 0;
   bool awaits_deck = false;  // the scene is a deck that was not read yet: it may say the format of the output
   DeckOutput3 deck;          // what it asks for
@@ -55,6 +58,14 @@ struct FactorsFiles {
   void finish();
   void commit();
 };
+
+// Which rows have to be computed: those that are written, where nothing else is made of the matrix. Throws UnknownName
+// where --rows names nothing.
+RowChoice rows_to_compute(const FactorsOptions& options, const SceneTable& scene);
+
+// Restricts a table to the rows of --rows, if there is one, and tells how many these are. Throws UsageError where none
+// of those that it names has a row.
+void take_rows(const FactorsOptions& options, const Streams& streams, FactorTable& table);
 
 // Says which matrix a .npy holds: the file itself has numbers only.
 void note_matrix(const FactorsOptions& options, const FactorTable& table, const Streams& streams);

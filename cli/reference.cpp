@@ -6,10 +6,10 @@
 
 #include "cli/command.h"
 #include "cli/scene_input.h"
-#include "geometry/plane/scene/division.h"
+#include "geometry/plane/exchange/element_pieces.h"
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/prepared_scene.h"
-#include "geometry/space/exchange/written_corners.h"
+#include "geometry/space/exchange/written_outlines.h"
 #include "io/files/output_file.h"
 #include "io/files/text_file.h"
 #include "io/results/reference_set.h"
@@ -82,7 +82,7 @@ SceneReference refer_in_plane(const std::string& name, GivenScene given, const S
                           .solution = *solution,
                           .counts = factor_counts(factors->report.counts),
                           .write_faces = [&](const Sink& sink) {
-                            write_faces_csv(table, element_ends(scene, factors->matrix.elements()), sink);
+                            write_faces_csv(table, element_pieces(*simulation.prepared(), Granularity::kElement), sink);
                           }});
 }
 
@@ -104,7 +104,7 @@ SceneReference refer_in_space(const std::string& name, GivenScene given, double 
                           .write_faces = [&](const Sink& sink) {
                             const ElementTable3 elements(prepared->scene, prepared->arrangement(), prepared->blockers(),
                                                          Granularity::kElement);
-                            write_faces_csv_3(table, written_corners(elements, prepared->blockers().vertices()), sink);
+                            write_faces_csv_3(table, written_outlines(elements, prepared->blockers().vertices()), sink);
                           }});
 }
 

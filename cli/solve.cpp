@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <limits>
 
 #include "cli/command.h"
 #include "cli/machine_speed.h"
@@ -14,12 +15,14 @@
 #include "io/foreign/plane/foreign_matrix.h"
 #include "io/results/npy.h"
 #include "io/results/plane/check_report.h"
+#include "io/results/short_digits.h"
 #include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
 #include "kernel/written_double.h"
 #include "solver/plan_speed.h"
+#include "solver/plane/light/oriented_lights.h"
 #include "solver/plane/simulation/refined.h"
 #include "solver/store_plan.h"
 #include "viewer/picture/plane/illumination_picture.h"
@@ -32,7 +35,8 @@ namespace {
 struct Request {
   SimulationRequest2 simulation;  // all but the grid, which needs the scene
   bool wants_picture = true;
-  Shown shown{};  // by the picture
+  Shown shown{};             // by the picture
+  bool shows_cells = false;  // and by the grid that was asked for
   std::filesystem::path directory;
 };
 
@@ -42,6 +46,21 @@ IlluminationPicture2 light_picture(const SolveOptions& options) {
           .wanted_width = options.size,
           .has_axes = options.axes,
           .contours = options.contours};
+}
+
+// Without light there is a picture of what --show has on faces, and none of the light.
+void require_picture_of_faces(const SolveOptions& options, const Shown& shown) {
+  if (!options.no_illumination || !shown.is_light()) return;
+  const SolveOptions usual;
+  for (const auto& [is_given, option] : {std::pair(options.size != usual.size, "--size"),
+                                         {options.axes, "--axes"},
+                                         {!options.channel.empty(), "--channel"},
+                                         {!options.bar.empty(), "--bar"},
+                                         {options.shading != usual.shading, "--shading"},
+                                         {!options.render.empty(), "--render"}})
+    if (is_given)
+      throw UsageError(std::string(option) +
+                       " excludes --no-illumination: without light there is a picture with --show of something else");
 }
 
 Request request_of(const SolveOptions& options) {
@@ -61,8 +80,9 @@ Request request_of(const SolveOptions& options) {
     throw UsageError("--simulate everything and --no-illumination exclude each other");
   if (!options.views.empty()) require_sense_of_views(options.views, options.illumination);
   asked.wants_light = !options.no_illumination;
-  request.wants_picture = asked.wants_light && !options.no_picture;
   request.shown = shown_of(options);
+  require_picture_of_faces(options, request.shown);
+  request.wants_picture = !options.no_picture && (asked.wants_light || !request.shown.is_light());
   if (request.wants_picture && request.shown.is_light())
     asked.painter = light_painter_2(light_picture(options), PictureFormat::kPng);
   request.directory = output_folder(options.out, options.scene);
@@ -73,7 +93,7 @@ Request request_of(const SolveOptions& options) {
 struct Outputs {
   OutputFolder folder;
   OutputFile csv, flux, json;
-  std::optional<OutputFile> temperature, npy, sidecar, png, render;
+  std::optional<OutputFile> temperature, npy, sidecar, shown_npy, shown_sidecar, png, render;
   std::optional<ViewsOutput> views;
 
   Outputs(const SolveOptions& options, const Request& request, const SceneTable& scene)
@@ -86,6 +106,10 @@ struct Outputs {
       npy.emplace(request.directory / "illumination.npy");
       sidecar.emplace(request.directory / "illumination.npy.json");
     }
+    if (request.shows_cells) {
+      shown_npy.emplace(request.directory / "shown.npy");
+      shown_sidecar.emplace(request.directory / "shown.npy.json");
+    }
     if (request.wants_picture) png.emplace(request.directory / "illumination.png");
     if (!options.render.empty()) render.emplace(options.render);
     if (!options.views.empty()) views.emplace(options.views);
@@ -94,7 +118,7 @@ struct Outputs {
   // In the order in which they take their names.
   std::vector<OutputFile*> all() {
     std::vector<OutputFile*> files{&csv, &flux};
-    for (std::optional<OutputFile>* file : {&temperature, &sidecar, &npy, &png, &render})
+    for (std::optional<OutputFile>* file : {&temperature, &sidecar, &npy, &shown_sidecar, &shown_npy, &png, &render})
       if (*file) files.push_back(&**file);
     if (views) files.insert(files.end(), {&views->faces, &views->mtx});
     files.push_back(&json);
@@ -102,7 +126,8 @@ struct Outputs {
   }
   std::string names() const {
     return std::string(" radiosity.csv flux.csv") + (temperature ? " temperature.csv" : "") +
-           (npy ? " illumination.npy illumination.npy.json" : "") + (png ? " illumination.png" : "") + " report.json";
+           (npy ? " illumination.npy illumination.npy.json" : "") + (shown_npy ? " shown.npy shown.npy.json" : "") +
+           (png ? " illumination.png" : "") + " report.json";
   }
 };
 
@@ -130,7 +155,16 @@ struct Results {
   std::shared_ptr<const SolvedLight2> light;     // null: not wanted
   std::shared_ptr<const LightPicture2> picture;  // null: not wanted, or of something else than light
   std::optional<ShownValues> shown;              // of something else
+  std::optional<ShownCells2> cells;              // of the same at the centres of cells
 };
+
+// What is shown at the centres of the cells of the grid.
+ShownCells2 cells_of(const Shown& shown, const Simulation2& simulation, const Results& results,
+                     const Streams& streams) {
+  const std::vector<OrientedLight> lights =
+      lights_around_cells(*simulation.prepared(), results.light->grid, streams.progress("light on the grid"));
+  return {results.light->grid.grid, shown_at_points(shown, lights, results.solution->channel_names, "W/m")};
+}
 
 // Asks stage by stage, so that each is told of as it is there.
 Results results_of(const Simulation2& simulation, const Request& request, Streams& streams) {
@@ -145,6 +179,8 @@ Results results_of(const Simulation2& simulation, const Request& request, Stream
   if (request.wants_picture && request.shown.is_light()) results.picture = simulation.picture(progress);
   if (request.wants_picture && !request.shown.is_light())
     results.shown = shown_values(request.shown, simulation.scene(), results.factors->matrix, *results.solution, "W/m");
+  if (request.shows_cells) results.cells = cells_of(request.shown, simulation, results, streams);
+  if (results.shown && results.cells) share_scale(request.shown, *results.shown, results.cells->values);
   return results;
 }
 
@@ -167,7 +203,7 @@ std::string picture_of(const SolveOptions& options, const Simulation2& simulatio
   if (results.shown)
     return shown_picture_2(*simulation.prepared(), *results.shown,
                            {.width = options.size, .has_axes = options.axes, .shading = *shading_of(options.shading)},
-                           format);
+                           format, results.cells ? &*results.cells : nullptr);
   return illumination_picture_2(*simulation.prepared(), results.light->grid, light_picture(options), format).bytes;
 }
 
@@ -180,17 +216,29 @@ std::optional<PictureLight> picture_light_of(const SolveOptions& options, const 
 void write_results(const SolveOptions& options, const Simulation2& simulation, const Results& results,
                    const NetFluxes& fluxes, const Streams& streams, Outputs& outputs) {
   const RadiositySolution& solution = *results.solution;
-  write_radiosity_csv(simulation.scene(), results.factors->matrix, solution,
-                      [&outputs](std::string_view text) { outputs.csv.write(text); });
-  write_flux_csv(fluxes, [&outputs](std::string_view text) { outputs.flux.write(text); });
+  write_radiosity_csv(
+      simulation.scene(), results.factors->matrix, solution,
+      [&outputs](std::string_view text) { outputs.csv.write(text); }, options.digits);
+  write_flux_csv(
+      fluxes, [&outputs](std::string_view text) { outputs.flux.write(text); }, options.digits);
   if (outputs.temperature)
-    write_temperature_csv(simulation.scene(), results.factors->matrix, solution,
-                          [&outputs](std::string_view text) { outputs.temperature->write(text); });
+    write_temperature_csv(
+        simulation.scene(), results.factors->matrix, solution,
+        [&outputs](std::string_view text) { outputs.temperature->write(text); }, options.digits);
   if (outputs.npy) {
     const IlluminationGrid2& light = results.light->grid;
     const std::size_t shape[3] = {light.grid.ny, light.grid.nx, light.channels};
     write_npy(shape, light.values, [&outputs](std::string_view bytes) { outputs.npy->write(bytes); });
     outputs.sidecar->write(illumination_sidecar(region_of(light.grid), solution.channel_names, options.illumination));
+  }
+  if (outputs.shown_npy) {
+    const ShownValues& values = results.cells->values;
+    std::vector<double> numbers;
+    for (const std::optional<double>& value : values.elements)
+      numbers.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
+    const std::size_t shape[2] = {results.cells->grid.ny, results.cells->grid.nx};
+    write_npy(shape, numbers, [&outputs](std::string_view bytes) { outputs.shown_npy->write(bytes); });
+    outputs.shown_sidecar->write(shown_sidecar(region_of(results.cells->grid), values.name, values.unit));
   }
   if (outputs.png)
     outputs.png->write(results.picture ? results.picture->bytes
@@ -218,8 +266,12 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
   auto plan = std::make_shared<const Plan>(plan_at_speed(*simulation.plan(), machine_speed()));
   if (options.store.is_given()) plan = std::make_shared<const Plan>(plan_with_store(*plan, false, options.method));
   streams.note(plan_text(*plan));
-  Outputs outputs(options, request, simulation.scene());
-  const Results results = results_of(simulation, request, streams);
+  Request wanted = request;
+  wanted.shows_cells = is_of_points(request.shown) && request.simulation.wants_light &&
+                       options.illumination != "inverse-square" &&
+                       (simulation.scene().grid.has_value() || !options.grid.empty());
+  Outputs outputs(options, wanted, simulation.scene());
+  const Results results = results_of(simulation, wanted, streams);
   const ExchangeMatrix& matrix = results.factors->matrix;
   const NetFluxes fluxes(simulation.scene(), matrix, *results.solution, *simulation.light_shares());
   watch.lap();
@@ -304,13 +356,15 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
   size->type_name("W")->check(CLI::Range(1u, kMaxPictureSide));
   CLI::Option* no_picture =
       command.add_flag("--no-picture", options.no_picture, "no illumination.png; one that is there stays as it is");
-  CLI::Option* no_illumination =
-      command.add_flag("--no-illumination", options.no_illumination,
-                       "no light between the faces: neither illumination.npy nor illumination.png");
+  CLI::Option* no_illumination = command.add_flag(
+      "--no-illumination", options.no_illumination,
+      "no light between the faces: no illumination.npy, and illumination.png with --show of faces only");
   command
-      .add_option("--show", options.show,
-                  "what the picture shows: light; or, on the faces in colours of a scale, radiosity, irradiance, net, "
-                  "temperature, sky (view factor to it), factor:NAME (view factor to a face, a group, or NAME*)")
+      .add_option(
+          "--show", options.show,
+          "what the picture shows: light; or, on the faces in colours of a scale, radiosity, irradiance, net, "
+          "temperature, sky (view factor to it), factor:NAME (view factor to a face, a group, or NAME*). In space "
+          "a grid shows irradiance, temperature (the mean radiant one) and sky too, in shown.npy and its picture")
       ->type_name("WHAT")
       ->capture_default_str();
   command
@@ -338,7 +392,9 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
       ->type_name("FILE");
   for (const char* of_picture : {"--size", "--tone", "--exposure", "--contours", "--axes", "--show", "--channel",
                                  "--bar", "--shading", "--render"})
-    for (CLI::Option* none : {no_picture, no_illumination}) none->excludes(command.get_option(of_picture));
+    no_picture->excludes(command.get_option(of_picture));
+  for (const char* of_light : {"--tone", "--exposure", "--contours"})
+    no_illumination->excludes(command.get_option(of_light));
   command
       .add_option("--views", options.views,
                   "write what the cells see: a matrix whose product with the radiosities is the light, columns "
@@ -407,6 +463,11 @@ void add_solve(Commands& commands) {
   command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
       ->type_name("BYTES")
       ->transform(whole_number(1));
+  command
+      .add_option("--digits", options->digits,
+                  "numbers of the csv files rounded to N significant digits, lower bounds down and upper bounds up")
+      ->type_name("N")
+      ->transform(whole_number(1, kMostDigits));
   command.add_flag("--json", options->json, "report.json on standard output too");
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -26,6 +27,7 @@
 #include "kernel/written_double.h"
 #include "solver/plan_speed.h"
 #include "solver/space/check/lost_light.h"
+#include "solver/space/light/oriented_lights.h"
 #include "solver/space/simulation/refined.h"
 #include "solver/store_plan.h"
 #include "viewer/picture/space/grid_picture.h"
@@ -47,40 +49,74 @@ void require_what_space_has(const SolveOptions& options) {
   if (options.axes) refuse("--axes");
 }
 
-// The files of light on the scene's grid.
+// The files of light on the scene's grid, and of what --show has of it.
 struct GridFiles {
   OutputFile npy, sidecar;
-  std::optional<OutputFile> png;
+  std::optional<OutputFile> shown_npy, shown_sidecar, png;
 
-  GridFiles(const SolveOptions& options, const std::filesystem::path& directory)
+  GridFiles(const SolveOptions& options, const Shown& shown, const std::filesystem::path& directory)
       : npy(directory / "illumination.npy"), sidecar(directory / "illumination.npy.json") {
+    if (is_of_points(shown)) {
+      shown_npy.emplace(directory / "shown.npy");
+      shown_sidecar.emplace(directory / "shown.npy.json");
+    }
     if (!options.no_picture) png.emplace(directory / "illumination.png");
   }
 
   // Asks for the light, and for its picture where there is a file for it.
-  void write(const Simulation3& simulation, const std::vector<std::string>& channels, const StageProgress& progress,
+  void write(const Simulation3& simulation, const Shown& shown, std::uint32_t wanted_width, const Streams& streams,
              std::map<std::string, double>& seconds) {
-    const auto light = simulation.light(progress);
+    const auto light = simulation.light(streams.stages());
     seconds["illumination"] = light->seconds;
     const std::size_t shape[3] = {light->grid.nv, light->grid.nu, light->channels};
     write_npy(shape, light->values, [this](std::string_view bytes) { npy.write(bytes); });
-    const Grid3& grid = light->grid;
-    const auto told = [](const auto& p) {
-      return std::array{written_double(p.x), written_double(p.y), written_double(p.z)};
-    };
-    sidecar.write(illumination_sidecar({told(grid.origin), told(grid.u), told(grid.v), grid.nu, grid.nv}, channels));
+    const auto channels = simulation.radiosities()->channel_names;
+    sidecar.write(illumination_sidecar(region_of(light->grid), channels));
+    if (shown_npy) return write_shown(simulation, shown, wanted_width, streams, seconds);
     if (!png) return;
-    const auto picture = simulation.picture(progress);
+    const auto picture = simulation.picture(streams.stages());
     seconds["picture"] += picture->seconds;
     png->write(picture->bytes);
   }
 
   void append_to(std::vector<OutputFile*>& files) {
     files.insert(files.end(), {&sidecar, &npy});
-    if (png) files.push_back(&*png);
+    for (std::optional<OutputFile>* file : {&shown_sidecar, &shown_npy, &png})
+      if (*file) files.push_back(&**file);
   }
   std::string names() const {
-    return std::string("illumination.npy illumination.npy.json ") + (png ? "illumination.png " : "");
+    return std::string("illumination.npy illumination.npy.json ") + (shown_npy ? "shown.npy shown.npy.json " : "") +
+           (png ? "illumination.png " : "");
+  }
+
+ private:
+  static PlanarRegion region_of(const Grid3& grid) {
+    const auto told = [](const auto& p) {
+      return std::array{written_double(p.x), written_double(p.y), written_double(p.z)};
+    };
+    return {told(grid.origin), told(grid.u), told(grid.v), grid.nu, grid.nv};
+  }
+
+  // What is shown at the centres of cells, on areas that look along u x v.
+  void write_shown(const Simulation3& simulation, const Shown& shown, std::uint32_t wanted_width,
+                   const Streams& streams, std::map<std::string, double>& seconds) {
+    Stopwatch watch;
+    const Grid3& grid = *simulation.grid();
+    const auto solution = simulation.radiosities();
+    const std::vector<OrientedLight> lights =
+        oriented_lights_on_grid(*simulation.prepared(), simulation.request().factors.granularity, *solution, grid,
+                                streams.progress("light on the grid"));
+    const ShownValues values = shown_at_points(shown, lights, solution->channel_names, "W/m²");
+    seconds["illumination"] += watch.lap();
+    std::vector<double> numbers;
+    for (const std::optional<double>& value : values.elements)
+      numbers.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
+    const std::size_t shape[2] = {grid.nv, grid.nu};
+    write_npy(shape, numbers, [this](std::string_view bytes) { shown_npy->write(bytes); });
+    shown_sidecar->write(hottel::shown_sidecar(region_of(grid), values.name, values.unit));
+    if (!png) return;
+    png->write(grid_picture_3(grid, values, wanted_width));
+    seconds["picture"] += watch.lap();
   }
 };
 
@@ -128,8 +164,8 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) 
 
 void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to_read, Streams& streams) {
   require_what_space_has(options);
-  const bool wants_picture = !options.no_picture && !options.no_illumination;
   const Shown shown = shown_of(options);
+  const bool wants_picture = !options.no_picture && (!options.no_illumination || !shown.is_light());
   require_shown(shown, scene);
   options.elements.apply_to(scene);
   require_room_for_solving(scene, options.memory, options.levels);
@@ -151,7 +187,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   if (const auto& cells = request.light.grid) {
     require_room_for_light(options, {cells->nu, cells->nv}, channel_count(simulation.scene()), "take a coarser --grid",
                            directory);
-    grid.emplace(options, directory);
+    grid.emplace(options, shown, directory);
   }
   std::optional<OutputFile> png, render;
   if (wants_picture) png.emplace(directory / "render.png");
@@ -164,12 +200,15 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
 
   Stopwatch watch;
   const NetFluxes fluxes(simulation.scene(), factors->matrix, *solution, *simulation.light_shares());
-  write_radiosity_csv(simulation.scene(), factors->matrix, *solution,
-                      [&csv](std::string_view text) { csv.write(text); });
-  write_flux_csv(fluxes, [&flux](std::string_view text) { flux.write(text); });
+  write_radiosity_csv(
+      simulation.scene(), factors->matrix, *solution, [&csv](std::string_view text) { csv.write(text); },
+      options.digits);
+  write_flux_csv(
+      fluxes, [&flux](std::string_view text) { flux.write(text); }, options.digits);
   if (temperature)
-    write_temperature_csv(simulation.scene(), factors->matrix, *solution,
-                          [&temperature](std::string_view text) { temperature->write(text); });
+    write_temperature_csv(
+        simulation.scene(), factors->matrix, *solution,
+        [&temperature](std::string_view text) { temperature->write(text); }, options.digits);
   naming_file(options.scene, [&] {
     write_radiosity_vtu(*simulation.prepared(), request.factors.granularity, factors->matrix, *solution,
                         [&vtu](std::string_view text) { vtu.write(text); });
@@ -179,7 +218,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   if (dividing->seconds > 0) seconds["dividing"] = dividing->seconds;
   seconds["read"] = seconds_to_read;
   seconds["write"] = watch.lap();
-  if (grid) grid->write(simulation, solution->channel_names, streams.stages(), seconds);
+  if (grid) grid->write(simulation, shown, options.size, streams, seconds);
   watch.lap();
   std::unique_ptr<const RenderedView3> view;
   if (png) {

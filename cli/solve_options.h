@@ -38,6 +38,7 @@ struct SolveOptions {
   PolygonOptions polygons;
   StoreOption store;
   SkyOption sky;
+  std::optional<int> digits;  // of csv
   bool json = false;
 };
 

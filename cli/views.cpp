@@ -6,7 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/scene_input.h"
-#include "geometry/plane/scene/division.h"
+#include "geometry/plane/exchange/element_pieces.h"
 #include "io/files/disk_space.h"
 #include "io/results/plane/light_matrix.h"
 #include "kernel/support/memory.h"
@@ -34,7 +34,7 @@ void write_views_2(const PreparedScene2& prepared, const Grid2& grid, const Fact
                   fmt::format("what {} x {} cells see takes about", grid.nx, grid.ny), "; take a coarser --grid");
     write_light_matrix_mtx(matrix, size, streams.progress("views, written"),
                            [&output](std::string_view text) { output.mtx.write(text); });
-    write_faces_csv(factors, element_ends(prepared.scene, table.elements()),
+    write_faces_csv(factors, element_pieces(prepared, factors.granularity),
                     [&output](std::string_view text) { output.faces.write(text); });
   });
 }

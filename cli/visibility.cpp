@@ -6,6 +6,7 @@
 #include <span>
 
 #include "cli/command.h"
+#include "cli/oriented_points.h"
 #include "cli/scene_input.h"
 #include "cli/scene_lines.h"
 #include "cli/visibility_in_space.h"
@@ -16,6 +17,7 @@
 #include "geometry/plane/visibility/point_sight.h"
 #include "geometry/plane/visibility/visibility_polygons.h"
 #include "io/files/text_file.h"
+#include "io/foreign/oriented_points.h"
 #include "io/foreign/plane/point_list.h"
 #include "io/results/plane/edge_report.h"
 #include "io/results/plane/polygon_files.h"
@@ -124,7 +126,7 @@ struct PolygonRequest {
   PassedOver passed_over;
 };
 
-PolygonRequest polygon_request(const VisibilityOptions& options) {
+PolygonRequest polygon_request(const VisibilityOptions& options, const std::string& text, const std::string& name) {
   PolygonRequest request;
   if (is_file(options.out)) {
     const auto format = polygon_format_2(options.out);
@@ -140,9 +142,7 @@ PolygonRequest polygon_request(const VisibilityOptions& options) {
     request.wanted.range = number_of(options.range, "--range");
     if (*request.wanted.range <= 0) throw UsageError("--range is a distance above 0, not " + options.range);
   }
-  request.points = options.points == "-"
-                       ? read_points_2(read_standard_input(), "standard input", &request.passed_over)
-                       : read_points_2(read_text_file(options.points), options.points, &request.passed_over);
+  request.points = read_points_2(text, name, &request.passed_over);
   return request;
 }
 
@@ -210,8 +210,24 @@ void write_polygons(const PolygonRequest& request, const PreparedScene2& prepare
   streams.note(remarks.text(prepared.scene));
 }
 
+// Points with normals: the light on a small area at each, in place of what it sees.
+ExitCode light_at_points(const VisibilityOptions& options, OrientedPointsInput input, Streams& streams) {
+  for (const auto& [is_given, option] : {std::pair(!options.range.empty(), "--range"),
+                                         {options.exact, "--exact"},
+                                         {options.side != VisibilityOptions().side, "--side"}})
+    if (is_given) throw UsageError(std::string(option) + " is of polygons; points with normals have none");
+  write_oriented_light(input, read_scene_noting(options.scene, options.polygons, streams), streams);
+  return ExitCode::kDone;
+}
+
 ExitCode from_points(const VisibilityOptions& options, Streams& streams) {
-  const PolygonRequest request = polygon_request(options);
+  const bool is_standard_input = options.points == kStandardInput;
+  const std::string name = is_standard_input ? kStandardInputName : options.points;
+  const std::string text = is_standard_input ? read_standard_input() : read_text_file(options.points);
+  if (names_normals(text)) return light_at_points(options, {text, name, options.scene, options.out}, streams);
+  if (options.polygons.triangulates)
+    throw UsageError("--triangulate cuts polygons in space; points without normals are of the plane");
+  const PolygonRequest request = polygon_request(options, text, name);
   note_passed_over(request.passed_over, streams);
   const Simulation2 simulation = simulation_of(options, streams);
   const auto prepared = simulation.prepared(streams.stages());
@@ -308,9 +324,8 @@ ExitCode in_space(const VisibilityOptions& options, Scene3 scene, std::optional<
 }
 
 ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
-  if (options.polygons.triangulates &&
-      (!options.points.empty() || !options.edge.empty() || options.events || options.graph))
-    throw UsageError("--triangulate cuts polygons in space; --points, --edge, --events and --graph are of the plane");
+  if (options.polygons.triangulates && (!options.edge.empty() || options.events || options.graph))
+    throw UsageError("--triangulate cuts polygons in space; --edge, --events and --graph are of the plane");
   if (!options.points.empty()) return from_points(options, streams);
   if (!options.edge.empty()) return from_edge(options, streams);
   if (options.events) return events(options, streams);
@@ -350,6 +365,7 @@ void add_visibility(Commands& commands) {
        "hottel visibility scenes/analytic/strip_obstructed.json --from bottom --to top --json",
        "hottel visibility scenes/showcase/apartment.json --at 4,3 -o /tmp/seen.png",
        "echo 4,3 | hottel visibility scenes/showcase/apartment.json --points - --range 5 -o /tmp/seen.geojson",
+       "printf 'x,y,z,nx,ny,nz\\n1,1,1.5,0,0,1\\n' | hottel visibility scenes/space/two_boxes.json --points -",
        "hottel visibility scenes/space/two_boxes.json --at 1,1,1 -o /tmp/map.png",
        "hottel visibility scenes/space/two_boxes.json --from lamp --to floor",
        "hottel visibility scenes/analytic/strip_obstructed.json --edge bottom",
@@ -373,7 +389,10 @@ void add_visibility(Commands& commands) {
   options->polygons.add_to(command);
   CLI::Option* points = command.add_option(
       "--points", options->points,
-      "points, one visibility polygon each: csv of lines x,y, GeoJSON or well-known text; - is standard input");
+      "points, one visibility polygon each: csv of lines x,y, GeoJSON or well-known text; - is standard input. Of a "
+      "csv "
+      "with normals (first line x,y,nx,ny, in space x,y,z,nx,ny,nz) the irradiance, sky view factor and mean radiant "
+      "temperature at each, as csv");
   points->type_name("FILE");
   points->excludes(at)->excludes(on)->excludes(from)->excludes(to)->excludes(json);
   command.add_option("--range", options->range, "with --points: nothing beyond this distance of the point")

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "geometry/element.h"
+#include "geometry/row_choice.h"
 
 namespace hottel {
 
@@ -31,7 +32,10 @@ struct ExchangeRequest {
   // exact one rounds correctly, the others are as good as they are.
   double tolerance = 1e-9;
   SkyBy sky = SkyBy::kIntegral;  // of the exact method in space; that of the plane is exact
-  std::uint64_t memory = 0;      // bytes the sums and the matrix may take; 0: no limit. Beyond: RequestError
+  // The rows that are computed by the exact methods: all others have no entries. Methods that are not exact compute
+  // all.
+  RowChoice rows = {};
+  std::uint64_t memory = 0;  // bytes the sums and the matrix may take; 0: no limit. Beyond: RequestError
   std::function<void(double)> progress = {};  // fraction done, from any thread; may throw to stop
 };
 

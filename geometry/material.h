@@ -40,14 +40,16 @@ inline constexpr std::size_t kSolarBand = 0, kThermalBand = 1;
 //   (4) in two bands (set_bands) all that is said of temperatures, of insulated faces and of given fluxes is of the
 //       thermal band. An insulated face then sends out what arrives and what it gains in the solar band, as a face of
 //       given flux 0 does, and may have an emissivity
+//   (5) a two-sided material acts as any other does: what it says is about surfaces (settle_two_sided)
 struct Material {
   std::string name;
   Spectrum reflectivity;
   Spectrum emission;
   bool called_insulated = false;
   std::optional<Rational> emissivity{};
-  bool has_bands = false;   // its spectra are of two bands
-  bool says_solar = false;  // of which the solar one was said, and is not black because nothing was
+  bool has_bands = false;     // its spectra are of two bands
+  bool says_solar = false;    // of which the solar one was said, and is not black because nothing was
+  bool is_two_sided = false;  // surfaces with it have it on their backs too, but for those that have another one there
 
   // Whether it sends back all that arrives, in all channels, and nothing of its own.
   bool is_adiabatic() const;

@@ -14,6 +14,12 @@ std::optional<std::uint32_t> SceneTable::find(const std::string& name) const {
   return std::nullopt;
 }
 
+void settle_two_sided(SceneTable& table) {
+  for (Surface& surface : table.surfaces)
+    if (!surface.is_obstruction && !surface.on && !surface.back && table.materials[surface.material].is_two_sided)
+      surface.back = surface.material;
+}
+
 std::string_view unit_problem(std::string_view unit) {
   if (unit.empty()) return "must not be empty";
   if (has_control_character(unit)) return "must not contain a control character";

@@ -131,6 +131,11 @@ struct SceneTable {
   std::optional<std::uint32_t> find(const std::string& name) const;
 };
 
+// Gives every surface whose front has a two-sided material, and whose back has none, that material on its back; not
+// patches, which have the backs that they say.
+// REQUIRES materials that are defined. COST: linear.
+void settle_two_sided(SceneTable& table);
+
 // Returns where a surface stands, for messages: a face of a mesh in the file of that.
 FileLine place_of(const SceneTable& table, const Surface& surface);
 

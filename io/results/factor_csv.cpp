@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "io/results/factor_files.h"
 #include "io/results/listed_factors.h"
+#include "io/results/short_digits.h"
 #include "io/results/text_buffer.h"
 #include "kernel/support/parallel.h"
 #include "kernel/written_double.h"
@@ -47,6 +49,32 @@ void write_in_blocks(const ExchangeMatrix& matrix, const Sink& sink, const Write
   }
 }
 
+// `factor,lower,upper,visibility`, as many digits as tell the doubles.
+void write_whole_numbers(const FactorEntry& entry, const Enclosure& bounds, TextBuffer& out) {
+  const Digits factor(entry.factor.value);
+  const auto write_bound = [&](double bound) {
+    if (bound == entry.factor.value)
+      out << factor.text();
+    else
+      out << bound;
+    out << ',';
+  };
+  out << factor.text() << ',';
+  write_bound(bounds.lower);
+  write_bound(bounds.upper);
+  if (entry.visibility == 1)
+    out << '1';
+  else if (!std::isnan(entry.visibility))
+    out << entry.visibility;
+}
+
+void write_numbers(const FactorEntry& entry, const Enclosure& bounds, std::optional<int> digits, TextBuffer& out) {
+  if (!digits) return write_whole_numbers(entry, bounds, out);
+  out << short_digits(entry.factor.value, digits) << ',' << short_digits(bounds.lower, digits, RoundedTo::kBelow) << ','
+      << short_digits(bounds.upper, digits, RoundedTo::kAbove) << ',';
+  if (!std::isnan(entry.visibility)) out << short_visibility(entry.visibility, digits);
+}
+
 }  // namespace
 
 void write_factors_csv(const FactorTable& table, const Sink& sink) {
@@ -57,25 +85,12 @@ void write_factors_csv(const FactorTable& table, const Sink& sink) {
   const auto write_area = [&](std::uint32_t i, TextBuffer& out) {
     out << ',';
     if (i == matrix.sky()) return;
-    out << required_double(matrix.elements()[i].area, area_of(matrix, i));
+    out << short_digits(required_double(matrix.elements()[i].area, area_of(matrix, i)), table.digits);
   };
   write_in_blocks(matrix, sink, [&](std::uint32_t first, std::uint32_t end, TextBuffer& out) {
     const auto write = [&](std::uint32_t from, const FactorEntry& entry, const Enclosure& bounds, Guarantee guarantee) {
-      const Digits factor(entry.factor.value);
-      const auto write_bound = [&](double bound) {
-        if (bound == entry.factor.value)
-          out << factor.text();
-        else
-          out << bound;
-        out << ',';
-      };
-      out << names[from] << ',' << names[entry.to] << ',' << factor.text() << ',';
-      write_bound(bounds.lower);
-      write_bound(bounds.upper);
-      if (entry.visibility == 1)
-        out << '1';
-      else if (!std::isnan(entry.visibility))
-        out << entry.visibility;
+      out << names[from] << ',' << names[entry.to] << ',';
+      write_numbers(entry, bounds, table.digits, out);
       out << ',' << to_string(guarantee);
       if (table.has_areas) {
         write_area(from, out);

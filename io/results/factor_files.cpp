@@ -13,6 +13,7 @@
 #include "io/results/csv_field.h"
 #include "io/results/listed_factors.h"
 #include "io/results/npy.h"
+#include "io/results/short_digits.h"
 #include "io/results/text_buffer.h"
 #include "kernel/rational.h"
 #include "kernel/support/failure.h"
@@ -93,8 +94,10 @@ void write_factors_mtx(const FactorTable& table, const Sink& sink) {
   out.flush();
 }
 
-void write_faces_csv(const FactorTable& table, std::span<const std::array<double, 4>> ends, const Sink& sink) {
+void write_faces_csv(const FactorTable& table, std::span<const std::vector<std::array<double, 4>>> pieces,
+                     const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;
+  HOTTEL_REQUIRE(pieces.size() == matrix.size());
   TextBuffer out(sink);
   out << "index,face,element,area,material,x0,y0,x1,y1\n";
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
@@ -105,13 +108,13 @@ void write_faces_csv(const FactorTable& table, std::span<const std::array<double
     out << fmt::format("{},{},{},", i + 1, csv_field(face), element.node().text())
         << required_double(element.area, area_of(matrix, i)) << ","
         << (element.material ? csv_field(table.scene.materials[*element.material].name) : "");
-    if (table.granularity == Granularity::kGroup) {
-      out << ",,,,\n";
-      continue;
-    }
-    for (const double coordinate : ends[i]) {
-      require_double(coordinate, "a coordinate of '" + element.name + "'");
-      out << "," << coordinate;
+    for (std::size_t coordinate = 0; coordinate < 4; ++coordinate) {
+      out << ",";
+      for (const std::array<double, 4>& piece : pieces[i]) {
+        require_double(piece[coordinate], "a coordinate of '" + element.name + "'");
+        if (&piece != pieces[i].data()) out << "|";
+        out << piece[coordinate];
+      }
     }
     out << "\n";
   }
@@ -232,8 +235,11 @@ void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sin
       out << ",";
       if (std::isnan(value))
         out << "NaN";
-      else
+      else if (!table.digits)
         out << value;
+      else
+        out << (quantity == DenseQuantity::kVisibility ? short_visibility(value, table.digits)
+                                                       : short_digits(value, table.digits));
     }
     out << "\n";
   }

@@ -21,7 +21,8 @@ namespace hottel {
 // them, exchange measures, and in single precision factors.
 
 // `from,to,factor,lower,upper,visibility,guarantee`: one line a pair, by from, then to. Shortest decimals that read
-// back to the same double; names quoted as RFC 4180 asks. With areas two columns more, `from_area,to_area`: lengths in
+// back to the same double, or no more digits than are asked for, bounds rounded outward; names quoted as RFC 4180 asks.
+// With areas two columns more, `from_area,to_area`: lengths in
 // the plane, empty for the sky. Throws RequestError for an area that is asked for and beyond the range of doubles,
 // or below it.
 void write_factors_csv(const FactorTable& table, const Sink& sink);
@@ -29,8 +30,10 @@ void write_factors_csv(const FactorTable& table, const Sink& sink);
 // Matrix Market `coordinate real general`, 1-based, all faces and the sky last; the faces are named by
 // write_faces_csv, which goes into FILE.faces.csv.
 void write_factors_mtx(const FactorTable& table, const Sink& sink);
-// ends: where each element begins and ends, x0, y0, x1, y1 (element_ends); empty for groups.
-void write_faces_csv(const FactorTable& table, std::span<const std::array<double, 4>> ends, const Sink& sink);
+// pieces: what is left of each element, x0, y0, x1, y1 each (element_pieces), those of several with "|" between their
+// numbers, column by column.
+void write_faces_csv(const FactorTable& table, std::span<const std::vector<std::array<double, 4>>> pieces,
+                     const Sink& sink);
 
 // NumPy float64, N x N, row = from, all faces and the sky last.
 void write_factors_npy(const FactorTable& table, const Sink& sink);

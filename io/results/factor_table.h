@@ -26,6 +26,8 @@ struct FactorTable {
   std::vector<std::uint32_t> only_rows = {}, only_columns = {};
   std::optional<int> gray_channel = {};  // the matrix is script-F (gray_exchange.h) of this channel; else view factors
   bool has_areas = false;                // the list of pairs has the areas of both
+  // The most significant digits of numbers in csv (short_digits); nothing: as many as tell the doubles.
+  std::optional<int> digits = {};
 };
 
 }  // namespace hottel

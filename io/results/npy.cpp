@@ -54,6 +54,16 @@ std::string illumination_sidecar(const GridRegion& region, const std::vector<std
   return sidecar.dump(2) + "\n";
 }
 
+namespace {
+
+void add_region(const PlanarRegion& region, Json& sidecar) {
+  sidecar["region"]["origin"] = region.origin;
+  sidecar["region"]["u"] = region.u;
+  sidecar["region"]["v"] = region.v;
+}
+
+}  // namespace
+
 std::string illumination_sidecar(const PlanarRegion& region, const std::vector<std::string>& channels) {
   Json sidecar;
   sidecar["quantity"] = "mean irradiance";
@@ -61,10 +71,31 @@ std::string illumination_sidecar(const PlanarRegion& region, const std::vector<s
   sidecar["shape"] = {region.nv, region.nu, channels.size()};
   sidecar["order"] = "C";
   sidecar["axes"] = {"v", "u", "channel"};
-  sidecar["region"]["origin"] = region.origin;
-  sidecar["region"]["u"] = region.u;
-  sidecar["region"]["v"] = region.v;
+  add_region(region, sidecar);
   sidecar["channels"] = channels;
+  return sidecar.dump(2) + "\n";
+}
+
+std::string shown_sidecar(const PlanarRegion& region, const std::string& quantity, const std::string& unit) {
+  Json sidecar;
+  sidecar["quantity"] = quantity;
+  sidecar["unit"] = unit;
+  sidecar["shape"] = {region.nv, region.nu};
+  sidecar["order"] = "C";
+  sidecar["axes"] = {"v", "u"};
+  add_region(region, sidecar);
+  return sidecar.dump(2) + "\n";
+}
+
+std::string shown_sidecar(const GridRegion& region, const std::string& quantity, const std::string& unit) {
+  Json sidecar;
+  sidecar["quantity"] = quantity;
+  sidecar["unit"] = unit;
+  sidecar["shape"] = {region.ny, region.nx};
+  sidecar["order"] = "C";
+  sidecar["axes"] = {"y", "x"};
+  sidecar["region"]["min"] = region.min;
+  sidecar["region"]["max"] = region.max;
   return sidecar.dump(2) + "\n";
 }
 

@@ -40,5 +40,9 @@ struct PlanarRegion {
   std::size_t nu = 0, nv = 0;  // cells
 };
 std::string illumination_sidecar(const PlanarRegion& region, const std::vector<std::string>& channels);
+// The same of one number a cell, of a quantity by its name and unit: axes v, u.
+std::string shown_sidecar(const PlanarRegion& region, const std::string& quantity, const std::string& unit);
+// The same in the plane: axes y, x.
+std::string shown_sidecar(const GridRegion& region, const std::string& quantity, const std::string& unit);
 
 }  // namespace hottel

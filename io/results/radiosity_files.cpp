@@ -4,12 +4,13 @@
 
 #include "geometry/scene_names.h"
 #include "io/results/csv_field.h"
+#include "io/results/short_digits.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
 
 void write_radiosity_csv(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,
-                         const std::function<void(std::string_view)>& sink) {
+                         const std::function<void(std::string_view)>& sink, std::optional<int> digits) {
   for (const ChannelSolution& channel : solution.channels) HOTTEL_REQUIRE(channel.elements.size() == matrix.size());
   sink("face,element,channel,area,emission,reflectivity,radiosity,lower,upper,irradiance,net\n");
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
@@ -19,9 +20,13 @@ void write_radiosity_csv(const SceneTable& scene, const ExchangeMatrix& matrix, 
     for (std::size_t c = 0; c < solution.channels.size(); ++c) {
       const ElementRadiosity& r = solution.channels[c].elements[i];
       std::string line = fmt::format("{},{},{}", face, element.node().text(), solution.channel_names[c]);
-      for (const double value :
-           {element.area.value, r.emission, r.reflectivity, r.radiosity, r.lower, r.upper, r.irradiance, r.net()})
-        line += "," + shortest(value);
+      const auto add = [&](double value, RoundedTo to = RoundedTo::kNearest) {
+        line += "," + short_digits(value, digits, to);
+      };
+      for (const double value : {element.area.value, r.emission, r.reflectivity, r.radiosity}) add(value);
+      add(r.lower, RoundedTo::kBelow);
+      add(r.upper, RoundedTo::kAbove);
+      for (const double value : {r.irradiance, r.net()}) add(value);
       sink(line + "\n");
     }
   }
@@ -30,13 +35,14 @@ void write_radiosity_csv(const SceneTable& scene, const ExchangeMatrix& matrix, 
 namespace {
 
 void write_fluxes(const char* per, const std::vector<NetFlux>& fluxes, const std::vector<std::string>& channel_names,
-                  const std::function<void(std::string_view)>& sink) {
+                  std::optional<int> digits, const std::function<void(std::string_view)>& sink) {
   for (const NetFlux& flux : fluxes)
     for (std::size_t c = 0; c < channel_names.size(); ++c) {
       const NetFlux::Power& power = flux.by_channel[c];
       sink(fmt::format("{},{},{},{},{},{},{}\n", per, csv_field(flux.name), channel_names[c],
-                       flux.area ? shortest(*flux.area) : "", shortest(power.value), shortest(power.lower),
-                       shortest(power.upper)));
+                       flux.area ? short_digits(*flux.area, digits) : "", short_digits(power.value, digits),
+                       short_digits(power.lower, digits, RoundedTo::kBelow),
+                       short_digits(power.upper, digits, RoundedTo::kAbove)));
     }
 }
 
@@ -66,11 +72,12 @@ NetFluxes::NetFluxes(const SceneTable& scene, const ExchangeMatrix& matrix, cons
       flux.by_channel.push_back(sum(flux.by_channel[kSolarBand], flux.by_channel[kThermalBand]));
 }
 
-void write_flux_csv(const NetFluxes& fluxes, const std::function<void(std::string_view)>& sink) {
+void write_flux_csv(const NetFluxes& fluxes, const std::function<void(std::string_view)>& sink,
+                    std::optional<int> digits) {
   sink("per,name,channel,area,net,lower,upper\n");
-  write_fluxes("face", fluxes.faces, fluxes.channel_names, sink);
-  write_fluxes("group", fluxes.groups, fluxes.channel_names, sink);
-  write_fluxes("light", fluxes.lights, fluxes.channel_names, sink);
+  write_fluxes("face", fluxes.faces, fluxes.channel_names, digits, sink);
+  write_fluxes("group", fluxes.groups, fluxes.channel_names, digits, sink);
+  write_fluxes("light", fluxes.lights, fluxes.channel_names, digits, sink);
 }
 
 }  // namespace hottel

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,11 +18,14 @@ namespace hottel {
 // with a row and each channel, by elements of the matrix. Shortest decimals that read back to the same double; `net` is
 // the difference of the two doubles printed, rounded once.
 //
+// With digits each number but the element has no more (short_digits): `lower` is rounded down, `upper` up, `net` by
+// itself.
+//
 // Whatever the sink throws stops the writing.
 // Throws ContractViolation where the solution has another number of elements. REQUIRES the solution of this matrix, of
 // this scene.
 void write_radiosity_csv(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,
-                         const std::function<void(std::string_view)>& sink);
+                         const std::function<void(std::string_view)>& sink, std::optional<int> digits = {});
 
 // `per,name,channel,area,net,lower,upper`: net flux in W (in the plane W per metre of depth) with proven bounds,
 // positive where more leaves than arrives (net_flux.h). First a line for each face and channel, then for each group:
@@ -38,6 +42,7 @@ struct NetFluxes {
   NetFluxes(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,
             std::span<const LightShares> shares);
 };
-void write_flux_csv(const NetFluxes& fluxes, const std::function<void(std::string_view)>& sink);
+void write_flux_csv(const NetFluxes& fluxes, const std::function<void(std::string_view)>& sink,
+                    std::optional<int> digits = {});
 
 }  // namespace hottel

@@ -9,6 +9,7 @@
 
 #include "geometry/scene_names.h"
 #include "io/results/csv_field.h"
+#include "io/results/short_digits.h"
 #include "kernel/support/failure.h"
 #include "solver/radiosity/element_temperatures.h"
 
@@ -25,7 +26,7 @@ bool has_temperatures(const SceneTable& scene) {
 }
 
 void write_temperature_csv(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,
-                           const std::function<void(std::string_view)>& sink) {
+                           const std::function<void(std::string_view)>& sink, std::optional<int> digits) {
   for (const ChannelSolution& channel : solution.channels) HOTTEL_REQUIRE(channel.elements.size() == matrix.size());
   const ElementTemperatures temperatures(scene.materials);
   sink("face,element,channel,temperature,lower,upper\n");
@@ -37,7 +38,8 @@ void write_temperature_csv(const SceneTable& scene, const ExchangeMatrix& matrix
       const auto found = temperatures.of(*element.material, solution, c, i);
       if (!found) continue;
       sink(fmt::format("{},{},{},{},{},{}\n", face, element.node().text(), solution.channel_names[c],
-                       shortest(found->value), shortest(found->lower), shortest(found->upper)));
+                       short_digits(found->value, digits), short_digits(found->lower, digits, RoundedTo::kBelow),
+                       short_digits(found->upper, digits, RoundedTo::kAbove)));
     }
   }
 }

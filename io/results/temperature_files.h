@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,12 +19,13 @@ bool has_temperatures(const SceneTable& scene);
 
 // `face,element,channel,temperature,lower,upper`: one line [K] for each element with a row and a temperature
 // (ElementTemperatures) and each channel, in the order of radiosity.csv. Shortest decimals that read back to the same
-// double; bounds are proven where those of the radiosities are (RadiositySolution::guarantee).
+// double, or the digits that are asked for, bounds rounded outward; bounds are proven where those of the radiosities
+// are (RadiositySolution::guarantee).
 //
 // Whatever the sink throws stops the writing.
 // REQUIRES the solution of this matrix, of this scene.
 void write_temperature_csv(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,
-                           const std::function<void(std::string_view)>& sink);
+                           const std::function<void(std::string_view)>& sink, std::optional<int> digits = {});
 
 // What those elements of a group come to whose temperature comes out, in one channel.                            [K]
 struct FoundTemperatures {

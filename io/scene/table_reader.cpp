@@ -47,13 +47,14 @@ Material read_material(const JsonValue& key, const JsonValue& value, Words& word
   const std::string owner = "material " + quoted_name(key.text());
   words.value = value;
   words.owner = owner;
-  const auto [about, reflectivity, emission, emissivity, temperature, insulated, flux, solar] =
+  const auto [about, reflectivity, emission, emissivity, temperature, insulated, flux, solar, two_sided] =
       read_members(value, {owner},
-                   std::array<std::string_view, 8>{"about", "reflectivity", "emission", "emissivity", "temperature",
-                                                   "insulated", "flux", "solar"});
+                   std::array<std::string_view, 9>{"about", "reflectivity", "emission", "emissivity", "temperature",
+                                                   "insulated", "flux", "solar", "two_sided"});
   words.solar = solar;
   Material material;
   material.name = key.text();
+  material.is_two_sided = two_sided && read_boolean(two_sided, {owner, "two_sided"});
   if (about) read_string(about, {owner, "about"});
   if (insulated && read_boolean(insulated, {owner, "insulated"})) {
     if (reflectivity || emission || temperature || flux)

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <unordered_set>
+#include <vector>
 
 #include "geometry/grey_temperature.h"
 #include "geometry/patch_bases.h"
@@ -74,9 +75,19 @@ std::string solar_member(const Rational& reflectivity, const Rational& emission)
   return fmt::format("\"solar\": {{{}}}", text);
 }
 
+// By material: whether it is two-sided, and read as that leaves every surface as it is.
+std::vector<char> two_sided_materials(const SceneTable& table) {
+  std::vector<char> result;
+  for (const Material& material : table.materials) result.push_back(material.is_two_sided ? 1 : 0);
+  for (const Surface& surface : table.surfaces)
+    if (!surface.is_obstruction && !surface.back) result[surface.material] = 0;
+  return result;
+}
+
 void write_materials(const SceneTable& table, std::string& out) {
   if (table.materials.empty()) return;
   std::unordered_set<std::string> names;
+  const std::vector<char> says_two_sided = two_sided_materials(table);
   JsonBlock block(out, "materials", '{', '}');
   for (const Material& whole : table.materials) {
     const Material m = thermal_part(whole);
@@ -102,6 +113,8 @@ void write_materials(const SceneTable& table, std::string& out) {
     if (whole.says_solar)
       members += (members.empty() ? "" : ", ") +
                  solar_member(whole.reflectivity.value[kSolarBand], whole.emission.value[kSolarBand]);
+    if (says_two_sided[static_cast<std::size_t>(&whole - table.materials.data())] != 0)
+      members += members.empty() ? "\"two_sided\": true" : ", \"two_sided\": true";
     block.add(fmt::format("{}: {{{}}}", json_string(m.name), members));
   }
   block.end();

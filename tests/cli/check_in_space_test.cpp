@@ -172,11 +172,12 @@ TEST(CheckInSpace, AClosedMeshWithItsFrontsInwardIsNotToBeClosed) {
         ++result[finding["suggestion"].get<std::string>()];
     return result;
   };
-  EXPECT_EQ(suggestions(6), (Kinds{{"'lamp' is closed with its fronts inward: for a body list the points of each "
-                                    "polygon the other way round; else give 'lamp' a \"back\"",
-                                    1}}));
+  EXPECT_EQ(suggestions(6),
+            (Kinds{{"'lamp' is closed with its fronts inward: for a body list the points of each "
+                    "polygon the other way round; else give 'lamp' a \"back\", or its material \"two_sided\": true",
+                    1}}));
   EXPECT_EQ(suggestions(5), (Kinds{{"close the mesh 'lamp', its bottom too, where nothing is in it; else give 'lamp' "
-                                    "a \"back\"",
+                                    "a \"back\", or its material \"two_sided\": true",
                                     1}}));
 }
 

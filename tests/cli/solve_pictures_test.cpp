@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -50,8 +52,8 @@ TEST(SolvePictures, ShowTheDoublesOfTheTable) {
   const Workplace place;
   place.write("cube.json", contents(scene_file("space/cube.json")));
   place.write("square.json", contents(scene_file("analytic/square_radiosity.json")));
-  for (const auto& [scene, picture, unit] :
-       {std::tuple{"cube.json", "render.png", "W/m²"}, std::tuple{"square.json --grid 4x4", "illumination.png", "W/m"}})
+  for (const auto& [scene, picture, unit] : {std::tuple{"cube.json", "render.png", "W/m²"},
+                                             std::tuple{"square.json --no-illumination", "illumination.png", "W/m"}})
     for (const auto& [word, index] :
          {std::pair{"radiosity", kRadiosity}, std::pair{"irradiance", kIrradiance}, std::pair{"net", kNet}}) {
       const std::string line = std::string("hottel solve ") + scene + " -o out --elements 2 --show " + word;
@@ -71,6 +73,66 @@ TEST(SolvePictures, OfOneChannelAreItsDoubles) {
   const auto report = nlohmann::json::parse(place.read("out/report.json"));
   expect_range(report, column(place.read("out/radiosity.csv"), kIrradiance, "b"));
   EXPECT_EQ(report["picture"]["quantity"], "irradiance, b");
+}
+
+// The numbers of a .npy of doubles.
+std::vector<double> doubles_of(const std::string& npy) {
+  const std::size_t begin = npy.find('\n') + 1;
+  std::vector<double> values((npy.size() - begin) / sizeof(double));
+  std::memcpy(values.data(), npy.data() + begin, values.size() * sizeof(double));
+  return values;
+}
+
+// The centres of cells are points with the normal of the grid.
+TEST(SolvePictures, GridsInSpaceShowWhatPointsGet) {
+  const Workplace place;
+  place.write("floor.json", R"({"hottel": 1, "dimension": 3, "sky": {"temperature": 260}, "materials": {
+    "w": {"emissivity": 0.9, "temperature": 290}, "r": {"emissivity": 0.8, "temperature": 310}},
+    "grid": {"origin": [0, 0, 1], "u": [4, 0, 0], "v": [0, 4, 0], "cells": [2, 1]}, "polygons": [
+    {"name": "floor", "points": [[0,0,0],[5,0,0],[5,5,0],[0,5,0]], "material": "w"},
+    {"name": "wall", "points": [[0,0,0],[0,5,0],[0,5,3],[0,0,3]], "material": "r"}]})");
+  place.write("points.csv", "x,y,z,nx,ny,nz\n1,2,1,0,0,1\n3,2,1,0,0,1\n");
+  const auto lines = lines_of(place.run("hottel visibility floor.json --points points.csv").out);
+  for (const auto& [word, from_end, unit] :
+       {std::tuple{"irradiance", 3, "W/m²"}, std::tuple{"sky", 2, "1"}, std::tuple{"temperature", 1, "K"}}) {
+    const Outcome outcome = place.run(std::string("hottel solve floor.json -o out --show ") + word);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto about = nlohmann::json::parse(place.read("out/shown.npy.json"));
+    EXPECT_EQ(about["unit"], unit);
+    EXPECT_EQ(about["shape"], nlohmann::json({1, 2}));
+    const std::vector<double> shown = doubles_of(place.read("out/shown.npy"));
+    ASSERT_EQ(shown.size(), 2u);
+    for (std::size_t k = 0; k < 2; ++k) {
+      std::vector<std::string> cells;
+      std::istringstream stream(lines.at(k + 1));
+      for (std::string text; std::getline(stream, text, ',');) cells.push_back(text);
+      EXPECT_EQ(shown[k], std::stod(cells[cells.size() - static_cast<std::size_t>(from_end)])) << word;
+    }
+    EXPECT_THAT(place.read("out/illumination.png"), StartsWith("\x89PNG"));
+  }
+}
+
+// In the plane cells have the mean of all directions, and one scale with the faces.
+TEST(SolvePictures, GridsInThePlaneShareTheScaleOfTheFaces) {
+  const Workplace place;
+  place.write("road.json", R"({"hottel": 1, "dimension": 2, "sky": {"temperature": 200}, "materials": {
+    "r": {"emissivity": 1, "temperature": 300}}, "grid": {"min": [-1, 0], "max": [1, 2], "cells": [1, 1]}, "edges": [
+    {"name": "road", "points": [[1, 0], [-1, 0]], "material": "r"}]})");
+  ASSERT_EQ(place.run("hottel solve road.json -o out --show temperature").code, 0);
+  // Half a turn less two eighths of the way to the ends: the road takes a quarter of what is seen from its middle.
+  const double expected = std::pow(0.25 * std::pow(300, 4) + 0.75 * std::pow(200, 4), 0.25);
+  const std::vector<double> shown = doubles_of(place.read("out/shown.npy"));
+  ASSERT_EQ(shown.size(), 1u);
+  EXPECT_NEAR(shown[0], expected, 1e-10);
+  const auto report = nlohmann::json::parse(place.read("out/report.json"));
+  EXPECT_EQ(report["picture"]["lower"], shown[0]);
+  EXPECT_EQ(report["picture"]["upper"], 300);
+  const std::string with_cells = place.read("out/illumination.png");
+  ASSERT_EQ(place.run("hottel solve road.json -o out --show sky").code, 0);
+  EXPECT_NEAR(doubles_of(place.read("out/shown.npy"))[0], 0.75, 1e-15);
+  ASSERT_EQ(place.run("hottel solve road.json -o faces --show temperature --no-illumination").code, 0);
+  EXPECT_EQ(place.run("ls faces").out, "flux.csv\nillumination.png\nradiosity.csv\nreport.json\ntemperature.csv\n");
+  EXPECT_NE(place.read("faces/illumination.png"), with_cells);
 }
 
 // A hot plate and one that nobody heats, before a sky.

@@ -59,7 +59,7 @@ TEST(VisibilityPoints, SaysInWhichSolidAPointIsAndGoesOn) {
   const Room room;
   const Outcome outcome = room.run("printf '3/2,3/2\\n3,1\\n' | hottel visibility room.json --points -");
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_EQ(lines_of(outcome.out).at(1), "0,,,,#in box");
+  EXPECT_EQ(lines_of(outcome.out).at(1), "0,,,,#in box,,");
   EXPECT_THAT(lines_of(outcome.out).at(2), StartsWith("1,0,"));
   EXPECT_THAT(outcome.err,
               HasSubstr("points in solids, which see nothing: 1, the first is point 0, in the solid 'box'"));

@@ -10,9 +10,9 @@
 #include <random>
 
 #include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/exchange/element_pieces.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/generate/generators.h"
-#include "geometry/plane/scene/division.h"
 #include "io/foreign/matched_matrix.h"
 #include "io/results/factor_files.h"
 #include "io/results/npy.h"
@@ -49,7 +49,7 @@ TEST_F(ForeignMatrixTest, ReadsWhatHottelWrites) {
     expect_same(matched(prepared, "f.mtx", mtx), exact);
     EXPECT_THAT(report_.notes, testing::IsEmpty());
     write("g.mtx.faces.csv",
-          written([&](const Sink& s) { write_faces_csv(table, element_ends(prepared.scene, exact.elements()), s); }));
+          written([&](const Sink& s) { write_faces_csv(table, element_pieces(prepared, Granularity::kElement), s); }));
     expect_same(matched(prepared, "g.mtx", mtx), exact);
     EXPECT_THAT(report_.notes, testing::IsEmpty());
 

@@ -46,12 +46,12 @@ const Point2 kUnder{0, 0}, kInBox{0, -2};
 
 TEST(PolygonFiles, ACsvHasALineForEachCornerAndTheSideAfterIt) {
   EXPECT_EQ(written(PolygonFormat2::kCsv, {kInBox, kUnder}, {.channel_names = {"all"}}, {{NAN}, {0.25}}),
-            "point,corner,x,y,face,irradiance\n"
-            "0,,,,#in box,NaN\n"
-            "1,0,-3,1,sky,0.25\n"
-            "1,1,-1,-1,box[2],0.25\n"
-            "1,2,1,-1,sky,0.25\n"
-            "1,3,3,1,\"wall, ä😀\",0.25\n");
+            "point,corner,x,y,face,irradiance,area,perimeter\n"
+            "0,,,,#in box,NaN,,\n"
+            "1,0,-3,1,sky,0.25,,\n"
+            "1,1,-1,-1,box[2],0.25,,\n"
+            "1,2,1,-1,sky,0.25,,\n"
+            "1,3,3,1,\"wall, ä😀\",0.25,,\n");
 }
 
 TEST(PolygonFiles, ExactCornersAreFractions) {
@@ -133,6 +133,8 @@ TEST(PolygonFiles, AnNpzHoldsCornersBeginsFacesAndNames) {
               ElementsAre(1, 4, 1, 3));
   EXPECT_THAT(numbers<std::int32_t>(array(zip, "solid", "(2,)")), ElementsAre(-1, 5));
   EXPECT_EQ(numbers<double>(array(zip, "irradiance", "(2, 2)")).size(), 4u);
+  for (const char* unbounded : {"area", "perimeter"})
+    for (const double value : numbers<double>(array(zip, unbounded, "(2,)"))) EXPECT_TRUE(std::isnan(value));
   const std::string names = array(zip, "names", "'<U8', 'fortran_order': False, 'shape': (6,)");
   ASSERT_EQ(names.size(), 6u * 8 * 4);
   const auto codes = numbers<char32_t>(names);

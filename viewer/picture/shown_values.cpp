@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -223,6 +225,53 @@ ShownValues shown_values(const Shown& shown, const SceneTable& scene, const Exch
   result.unit = shown.quantity == Quantity::kFactor ? "1" : shown.quantity == Quantity::kTemperature ? "K" : unit;
   result.title = title_of(result);
   return result;
+}
+
+bool is_of_points(const Shown& shown) {
+  return shown.quantity == Quantity::kIrradiance || shown.quantity == Quantity::kTemperature ||
+         (shown.quantity == Quantity::kFactor && shown.toward == "sky");
+}
+
+namespace {
+
+double value_at_point(const Shown& shown, const OrientedLight& light) {
+  if (shown.quantity == Quantity::kTemperature) return mean_radiant_temperature(light.mean_irradiance);
+  if (shown.quantity == Quantity::kFactor) return light.sky_view_factor;
+  if (shown.channel) return light.irradiance[*shown.channel];
+  const double sum = std::accumulate(light.irradiance.begin(), light.irradiance.end(), 0.0);
+  return light.irradiance.size() == 2 ? sum : sum / static_cast<double>(light.irradiance.size());
+}
+
+std::string name_at_points(const Shown& shown, const std::vector<std::string>& channel_names) {
+  if (shown.quantity == Quantity::kTemperature) return "mean radiant temperature";
+  if (shown.quantity == Quantity::kFactor) return "sky view factor";
+  if (channel_names.size() == 1) return "irradiance";
+  const char* const all = channel_names.size() == 2 ? ", both bands" : ", mean of r, g, b";
+  return "irradiance" + (shown.channel ? ", " + channel_names[*shown.channel] : std::string(all));
+}
+
+}  // namespace
+
+ShownValues shown_at_points(const Shown& shown, const std::vector<OrientedLight>& lights,
+                            const std::vector<std::string>& channel_names, const std::string& unit) {
+  HOTTEL_REQUIRE(is_of_points(shown));
+  ShownValues result;
+  for (const OrientedLight& light : lights) {
+    const double value = value_at_point(shown, light);
+    result.elements.push_back(std::isfinite(value) ? std::optional(value) : std::nullopt);
+  }
+  result.scale = scale_of(shown, result.elements, 0);
+  result.name = name_at_points(shown, channel_names);
+  result.unit = shown.quantity == Quantity::kFactor ? "1" : shown.quantity == Quantity::kTemperature ? "K" : unit;
+  result.title = title_of(result);
+  return result;
+}
+
+void share_scale(const Shown& shown, ShownValues& faces, ShownValues& points) {
+  std::vector<std::optional<double>> all = faces.elements;
+  all.insert(all.end(), points.elements.begin(), points.elements.end());
+  faces.scale = points.scale = scale_of(shown, all, 0);
+  faces.title = title_of(faces);
 }
 
 }  // namespace hottel

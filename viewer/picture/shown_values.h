@@ -8,6 +8,7 @@
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/scene_table.h"
+#include "solver/radiosity/oriented_light.h"
 #include "solver/radiosity/radiosity_solution.h"
 #include "viewer/picture/picture_options.h"
 
@@ -72,5 +73,19 @@ struct ShownValues {
 // `unit`: of radiosities. REQUIRES what require_shown takes; the solution of this matrix, of this scene.
 ShownValues shown_values(const Shown& shown, const SceneTable& scene, const ExchangeMatrix& matrix,
                          const RadiositySolution& solution, const std::string& unit);
+
+// Whether a quantity is one of points too, so that a grid can show it: irradiance, temperature (the mean radiant one),
+// and the view factor to the sky.
+bool is_of_points(const Shown& shown);
+
+// Makes two scales, of values on faces and at points, one that holds both: the ends are the least and the largest, but
+// those that were asked for. The title of the first tells it.
+void share_scale(const Shown& shown, ShownValues& faces, ShownValues& points);
+
+// Returns the values of such a quantity at points, in the place of elements: of irradiance that on the area at each, by
+// the channel that was asked for, else the mean of three channels, the sum of two bands. Nothing where there is no
+// light to tell. Scale and title as shown_values() has them. REQUIRES is_of_points(shown); lights of these channels.
+ShownValues shown_at_points(const Shown& shown, const std::vector<OrientedLight>& lights,
+                            const std::vector<std::string>& channel_names, const std::string& unit);
 
 }  // namespace hottel

@@ -47,14 +47,15 @@ bool sees_material(const ExchangeMatrix& matrix, std::uint32_t from) {
 }
 
 std::string suggestion(const Scene2& scene, std::uint32_t surface, const BehindRemedy2* remedy) {
+  constexpr const char* kBack = "a \"back\", or its material \"two_sided\": true";
   const std::string group = quoted_name(scene.groups[scene.surfaces[surface].group].name);
-  if (remedy == nullptr) return fmt::format("give {} a \"back\"", group);
+  if (remedy == nullptr) return fmt::format("give {} {}", group, kBack);
   if (remedy->swallows.empty())
-    return fmt::format("give {} \"behind\": \"solid\" where nothing is behind it, else a \"back\"", group);
+    return fmt::format("give {} \"behind\": \"solid\" where nothing is behind it, else {}", group, kBack);
   std::vector<std::uint32_t> surfaces;
   for (const Face& face : remedy->swallows)
     if (surfaces.empty() || surfaces.back() != face.surface) surfaces.push_back(face.surface);
-  return fmt::format("give {} a \"back\"; \"behind\": \"solid\" would fill the space there and cover {} wholly", group,
+  return fmt::format("give {} {}; \"behind\": \"solid\" would fill the space there and cover {} wholly", group, kBack,
                      names_text(scene, surfaces));
 }
 

@@ -17,6 +17,16 @@
 namespace hottel {
 namespace {
 
+// The elements, with the rows that are asked for.
+ElementTable2 table_of(const PreparedScene2& prepared, const ExchangeRequest& request) {
+  ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, request.granularity);
+  if (request.rows.is_all()) return table;
+  std::vector<bool> is_chosen(table.count());
+  for (const std::uint32_t label : request.rows.labels(table.elements())) is_chosen[label] = true;
+  table.keep_rows(is_chosen);
+  return table;
+}
+
 std::uint64_t count_all_pairs(const ElementTable2& table) {
   std::uint64_t rows = 0;
   for (std::uint32_t i = 0; i < table.count(); ++i) rows += table.has_row(i);
@@ -143,7 +153,7 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeRequ
   ExchangeReport ignored;
   ExchangeReport& r = report != nullptr ? *report : ignored;
   const Arrangement2& arrangement = prepared.arrangement;
-  const ElementTable2 table(prepared.scene, arrangement, prepared.division, request.granularity);
+  const ElementTable2 table = table_of(prepared, request);
   r.seconds["prepare"] = prepared.seconds;
   r.seconds["label"] = watch.lap();
 

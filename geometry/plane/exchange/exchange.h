@@ -22,7 +22,8 @@ using SweepParts2 = SweepParts<PairSum2>;
 //   (3) A_i F_ij = A_j F_ji for the real numbers, and every row sums to 1, the sky included
 //   (4) Vis(i, j) is correctly rounded too, but below 1 whenever something hides a part, and 1 when nothing does
 //   (5) the result is the same bit for bit for any number of threads
-//   (6) in a convex room, where nothing can hide anything, no sweep is made unless one is asked for: the result is
+//   (6) of the rows that are asked for alone: the same, bit for bit; a pair that is in none of them is not summed
+//   (7) in a convex room, where nothing can hide anything, no sweep is made unless one is asked for: the result is
 //       the same bit for bit
 // Throws RequestError when the memory allowed by the request does not suffice, and passes on what `progress` throws.
 // The report, where one is asked for, says how the numbers came about. parts: as of sum_visible_pairs(); where no sweep

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "kernel/support/failure.h"
-#include "kernel/written_double.h"
 
 namespace hottel {
 namespace {
@@ -75,17 +74,5 @@ Division2 division_of(const Scene2& scene) {
 }
 
 bool is_cut(const Division2& division) { return std::ranges::any_of(division, &SurfaceCuts2::is_cut); }
-
-std::vector<std::array<double, 4>> element_ends(const Scene2& scene, const std::vector<Element>& elements) {
-  std::vector<std::array<double, 4>> ends;
-  ends.reserve(elements.size());
-  for (const Element& element : elements) {
-    const Edge2& edge = scene.edges[element.surface];
-    const EdgeSpan2 span = EdgeSpan2::of(element);
-    const Point2 from = point_at(edge, span.from), to = point_at(edge, span.to);
-    ends.push_back({written_double(from.x), written_double(from.y), written_double(to.x), written_double(to.y)});
-  }
-  return ends;
-}
 
 }  // namespace hottel

@@ -1,7 +1,6 @@
 // Surfaces divided into elements.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -48,10 +47,5 @@ struct SurfaceCuts2 {
 using Division2 = std::vector<SurfaceCuts2>;
 Division2 division_of(const Scene2& scene);
 bool is_cut(const Division2& division);
-
-// Returns where each element begins and ends, in the order of the elements: x0, y0, x1, y1 in scene coordinates, each
-// rounded to the nearest double. Elements of backs, too, run from the first to the second point of the surface.
-// REQUIRES: faces and their equal parts; of a group it is the first surface alone.
-std::vector<std::array<double, 4>> element_ends(const Scene2& scene, const std::vector<Element>& elements);
 
 }  // namespace hottel

@@ -92,6 +92,7 @@ SceneBuilder2& SceneBuilder2::add_material(const std::string& name, const Materi
   if (is_given(options.flux)) require_flux_alone(reader, owner, options);
   Material material;
   material.name = name;
+  material.is_two_sided = options.two_sided;
   const auto read = [&](const char* part, const TypedSpectrum& spectrum, SpectrumKind kind) {
     return reader.spectrum(owner + ": " + part, spectrum, kind);
   };
@@ -193,6 +194,7 @@ Scene2 SceneBuilder2::build() const {
   Scene2 scene = scene_;
   append_polylines(scene, polylines_);
   seat_patches(scene, 0);
+  settle_two_sided(scene);
   validate(scene);
   refuse_names_of_edges(scene, std::vector<int>(polylines_.groups.size()));
   return scene;

@@ -35,6 +35,7 @@ struct MaterialOptions {
   TypedSpectrum emissivity = {}, temperature = {};
   bool insulated = false;   // reflectivity 1 and emission 0; excludes all others
   TypedSpectrum flux = {};  // the net flux [W/m²], one number of any sign, with one emissivity above 0
+  bool two_sided = false;   // edges with it have it on their backs too, but for those with a back of their own
 };
 
 // What edges and polylines may have beside points and a material, as in a scene file.

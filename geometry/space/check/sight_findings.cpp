@@ -184,7 +184,11 @@ class SightTeller {
   // Of one back, or of those of its group that are seen.
   std::string remedy(const Surface& surface, bool is_alone) const {
     const std::string mesh = quoted_name(scene_.groups[surface.group].name);
-    const std::string give = fmt::format("give {} a \"back\"", is_alone ? quoted_name(surface.name) : mesh);
+    const std::string give =
+        surface.in_mesh.file > 0
+            ? fmt::format("give {} a material in \"backs\" of its mesh, or its material \"two_sided\": true", mesh)
+            : fmt::format("give {} a \"back\", or its material \"two_sided\": true",
+                          is_alone ? quoted_name(surface.name) : mesh);
     const bool is_of_mesh = std::count_if(scene_.surfaces.begin(), scene_.surfaces.end(),
                                           [&](const Surface& other) { return other.group == surface.group; }) > 1;
     if (!is_of_mesh) return give;

@@ -65,11 +65,13 @@ std::uint64_t most_pairs(std::uint64_t elements, std::uint64_t memory) {
   return (memory - elements * kBytesPerElement3) / kBytesPerPair3;
 }
 
-// Where all pairs there are would be too many, it is estimated how many see each other.
-void require_room_for_pairs(const PreparedScene3& prepared, const ElementTable3& table, std::uint64_t most,
-                            std::uint64_t memory) {
+// Where all pairs there are of the chosen rows would be too many, it is estimated how many of all see each other.
+void require_room_for_pairs(const PreparedScene3& prepared, const ElementTable3& table,
+                            const std::vector<char>& is_chosen, std::uint64_t most, std::uint64_t memory) {
   const double patches = static_cast<double>(table.parts().size());
-  if (patches * patches / 2 <= static_cast<double>(most)) return;
+  const auto chosen = static_cast<double>(
+      std::ranges::count_if(table.parts(), [&](const auto& part) { return is_chosen[part.label] != 0; }));
+  if (std::min(patches / 2, chosen) * patches <= static_cast<double>(most)) return;
   if (const std::uint64_t pairs = estimated_pairs(prepared, table); pairs > most)
     refuse_memory(pairs, "visible pairs", kBytesPerPair3, memory);
 }
@@ -104,8 +106,9 @@ double factor_of(const ElementTable3& table, const PairSum3& pair, std::uint32_t
 
 class MatrixOfSums {
  public:
-  MatrixOfSums(const ElementTable3& table, const std::vector<PairSum3>& pairs, std::vector<PairEntry> entries)
-      : table_(table), pairs_(pairs), of_pair_(std::move(entries)) {}
+  MatrixOfSums(const ElementTable3& table, const std::vector<char>& is_chosen, const std::vector<PairSum3>& pairs,
+               std::vector<PairEntry> entries)
+      : table_(table), is_chosen_(is_chosen), pairs_(pairs), of_pair_(std::move(entries)) {}
 
   ExchangeMatrix make(bool with_measures) const {
     ExchangeMatrix matrix(table_.elements(), Guarantee::kEstimated);
@@ -135,12 +138,14 @@ class MatrixOfSums {
   void for_each(const Visit& visit) const {
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
       const auto [i, j] = std::pair(pairs_[k].i, pairs_[k].j);
-      if (table_.has_row(i)) visit(i, j, k);
-      if (j != i && table_.has_row(j)) visit(j, i, k);
+      if (has_row(i)) visit(i, j, k);
+      if (j != i && has_row(j)) visit(j, i, k);
     }
   }
+  bool has_row(std::uint32_t label) const { return is_chosen_[label] != 0 && table_.has_row(label); }
 
   const ElementTable3& table_;
+  const std::vector<char>& is_chosen_;
   const std::vector<PairSum3>& pairs_;
   std::vector<PairEntry> of_pair_;
 };
@@ -181,10 +186,10 @@ bool is_enclosed(const PairSum3& pair, double most) {
 }
 
 // The largest |row sum - 1|.
-double closure_defect(const ExchangeMatrix& matrix) {
+double closure_defect(const ExchangeMatrix& matrix, const std::vector<char>& is_chosen) {
   double most = 0;
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-    if (!matrix.has_row(i)) continue;
+    if (is_chosen[i] == 0 || !matrix.has_row(i)) continue;
     CompensatedSum<double> sum;
     sum.add(-1);
     for (const FactorEntry& entry : matrix.row(i)) sum.add(entry.factor.value);
@@ -218,12 +223,14 @@ ExchangeRows3::ExchangeRows3(const PreparedScene3& prepared, const ExchangeReque
       request_(request),
       most_(most_pairs(element_counts(prepared.scene, request.granularity).all, request.memory)),
       table_(prepared.scene, prepared.arrangement(), prepared.blockers(), request.granularity),
-      has_come_(table_.count() + std::size_t{1}, 0),
+      is_chosen_(table_.count() + std::size_t{1}, 0),
+      has_come_(is_chosen_),
       checks_(request.sky == SkyBy::kClosure ? checks_of_sky(table_) : std::vector<char>()) {
   HOTTEL_REQUIRE(request.tolerance > 0);
   Stopwatch watch;
-  require_room_for_pairs(prepared, table_, most_, request.memory);
-  for (std::uint32_t i = 0; i < table_.count(); ++i) missing_ += table_.has_row(i) ? 1 : 0;
+  for (const std::uint32_t i : request.rows.labels(table_.elements())) is_chosen_[i] = 1;
+  require_room_for_pairs(prepared, table_, is_chosen_, most_, request.memory);
+  for (std::uint32_t i = 0; i < table_.count(); ++i) missing_ += is_asked(i) ? 1 : 0;
   report_.seconds["prepare"] = prepared.seconds;
   report_.seconds["label"] = watch.lap();
 }
@@ -279,7 +286,9 @@ std::span<const PairSum3> ExchangeRows3::add(std::span<const std::uint32_t> labe
 void ExchangeRows3::measure_skies() {
   if (!is_by_closure() || missing_ > 0 || has_skies_) return;
   const DefaultFloatingPoint arithmetic;
-  const std::vector<char> left = skies_to_integrate(table_, request_.tolerance, pairs_), none(left.size(), 0);
+  std::vector<char> left = skies_to_integrate(table_, request_.tolerance, pairs_);
+  for (std::uint32_t i = 0; i < table_.count(); ++i) left[i] = is_chosen_[i] != 0 ? left[i] : 0;
+  const std::vector<char> none(left.size(), 0);
   if (std::ranges::find(left, 1) != left.end())
     measure({.is_now = left,
              .was_before = none,
@@ -302,7 +311,7 @@ void ExchangeRows3::take(std::vector<PairSum3> pairs, PairRanges known) {
   pairs_ = std::move(pairs);
   known_ = std::move(known);
   if (!known_.has_all()) return;
-  for (std::uint32_t i = 0; i < table_.count(); ++i) has_come_[i] = table_.has_row(i) ? 1 : 0;
+  for (std::uint32_t i = 0; i < table_.count(); ++i) has_come_[i] = is_asked(i) ? 1 : 0;
   missing_ = 0;
 }
 
@@ -334,12 +343,14 @@ ExchangeMatrix ExchangeRows3::matrix(ExchangeReport3* report) {
   measure_skies();
   const DefaultFloatingPoint arithmetic;
   Stopwatch watch;
-  std::erase_if(pairs_, [](const PairSum3& pair) { return pair.is_zero(); });
+  std::erase_if(pairs_, [this](const PairSum3& pair) {
+    return pair.is_zero() || (is_chosen_[pair.i] == 0 && is_chosen_[pair.j] == 0);
+  });
   std::ranges::sort(pairs_, {}, [](const PairSum3& pair) { return std::pair(pair.i, pair.j); });
   if (!without_sky_.empty() || is_by_closure()) {
     std::ranges::sort(without_sky_, {}, &FailedPair3::i);
     PairSums3 sums{std::move(pairs_), std::move(without_sky_)};
-    if (is_by_closure()) report_.sky = take_sky_by_closure(table_, request_.tolerance, sums);
+    if (is_by_closure()) report_.sky = take_sky_by_closure(table_, request_.tolerance, sums, &is_chosen_);
     take_rest_for_sky(table_, request_.tolerance, sums);
     require_measured(prepared_, table_, request_.tolerance, sums.failures);
     pairs_ = std::move(sums.pairs);
@@ -352,8 +363,8 @@ ExchangeMatrix ExchangeRows3::matrix(ExchangeReport3* report) {
   measure_alone();
   std::vector<PairEntry> entries = entries_of(prepared_, table_, pairs_, request_, report_);
   report_.seconds["visibility"] = watch.lap();
-  ExchangeMatrix matrix = MatrixOfSums(table_, pairs_, std::move(entries)).make(request_.wants_measures);
-  report_.max_defect = closure_defect(matrix);
+  ExchangeMatrix matrix = MatrixOfSums(table_, is_chosen_, pairs_, std::move(entries)).make(request_.wants_measures);
+  report_.max_defect = closure_defect(matrix, is_chosen_);
   report_.seconds["matrix"] = watch.lap();
   if (report != nullptr) *report = std::move(report_);
   return matrix;

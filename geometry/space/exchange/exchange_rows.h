@@ -23,7 +23,9 @@ namespace hottel {
 //
 //   (1) a row that has come holds the factors of that element to all that it sees
 //   (2) matrix() is that of exact_exchange, bit for bit, in whatever order and parts rows came; so are the counts
-//   (3) an element whose pair with the sky cannot be measured has none until all rows are there (take_rest_for_sky);
+//   (3) of the rows that the request asks for alone, if not of all: others never come, and have no entries. Those that
+//       come are the same, bit for bit
+//   (4) an element whose pair with the sky cannot be measured has none until all rows are there (take_rest_for_sky);
 //       where the sky is told by closure no element has any but those that are checked
 // Throws as exact_exchange does, of pairs with the sky at the end. REQUIRES that the scene outlives it.
 class ExchangeRows3 {
@@ -32,8 +34,8 @@ class ExchangeRows3 {
   ExchangeRows3(const PreparedScene3& prepared, const ExchangeRequest& request);
 
   const ElementTable3& table() const { return table_; }
-  // Whether the element has a row, and it is not there yet.
-  bool is_missing(std::uint32_t label) const { return table_.has_row(label) && has_come_[label] == 0; }
+  // Whether the element has a row that is asked for, and it is not there yet.
+  bool is_missing(std::uint32_t label) const { return is_asked(label) && has_come_[label] == 0; }
   std::uint32_t missing() const { return missing_; }
 
   // Measures all pairs of these elements that were not measured before. Returns them, until the next call. progress:
@@ -69,6 +71,7 @@ class ExchangeRows3 {
   ExchangeMatrix matrix(ExchangeReport3* report = nullptr);
 
  private:
+  bool is_asked(std::uint32_t label) const { return is_chosen_[label] != 0 && table_.has_row(label); }
   bool is_by_closure() const { return request_.sky == SkyBy::kClosure; }
   void measure(const PairTurn3& turn, const std::function<void(double)>& progress);
   void measure_skies();
@@ -79,9 +82,10 @@ class ExchangeRows3 {
   const std::uint64_t most_;  // pairs
   ElementTable3 table_;
   ExchangeReport3 report_;
-  std::vector<char> has_come_;  // by element, the sky last
-  std::vector<char> checks_;    // the same: whose sky is integrated to compare, where it is told by closure
-  bool has_skies_ = false;      // by closure: what has to be integrated besides has been
+  std::vector<char> is_chosen_;  // by element, the sky last: whose rows are asked for
+  std::vector<char> has_come_;   // the same
+  std::vector<char> checks_;     // the same: whose sky is integrated to compare, where it is told by closure
+  bool has_skies_ = false;       // by closure: what has to be integrated besides has been
   std::uint32_t missing_ = 0;
   std::vector<PairSum3> pairs_;
   PairRanges known_;  // from elsewhere

@@ -168,7 +168,8 @@ std::vector<char> skies_to_integrate(const ElementTable3& table, double toleranc
   return result;
 }
 
-SkyByClosure take_sky_by_closure(const ElementTable3& table, double tolerance, PairSums3& sums) {
+SkyByClosure take_sky_by_closure(const ElementTable3& table, double tolerance, PairSums3& sums,
+                                 const std::vector<char>* is_chosen) {
   const std::vector<Rest> rest = rest_of_rows(table, tolerance, sums.pairs);
   const std::vector<char> is_checked = checks_of_sky(table);
   std::vector<const PairSum3*> integrals(table.count(), nullptr);
@@ -179,7 +180,7 @@ SkyByClosure take_sky_by_closure(const ElementTable3& table, double tolerance, P
     if (failure.j == table.sky()) has_failed[failure.i] = 1;
   SkyByClosure told;
   for (std::uint32_t i = 0; i < table.count(); ++i) {
-    if (!table.has_row(i)) continue;
+    if (!table.has_row(i) || (is_chosen != nullptr && (*is_chosen)[i] == 0)) continue;
     if (is_checked[i] != 0) {
       if (has_failed[i] == 0) compare(table, tolerance, rest[i], integrals[i], told);
     } else if (!is_told(table, rest[i])) {

@@ -28,10 +28,11 @@ std::vector<char> checks_of_sky(const ElementTable3& table);
 // sky. REQUIRES all pairs of elements with rows; those with the sky are passed over. In any order.
 std::vector<char> skies_to_integrate(const ElementTable3& table, double tolerance, std::span<const PairSum3> pairs);
 
-// Gives all other rows what is left of their areas, and compares the integrals of those that are checked. What is
-// integrated of the others is passed over, and so are failures. REQUIRES all pairs as above, and those with the sky of
-// the rows that were to be integrated, by (i, j). Throws RequestError naming the row where what is left differs from an
-// integral by more than all pairs of the row may be off.
-SkyByClosure take_sky_by_closure(const ElementTable3& table, double tolerance, PairSums3& sums);
+// Gives all other rows what is left of their areas, and compares the integrals of those that are checked; only of those
+// that are chosen, by label, where some are. What is integrated of the others is passed over, and so are failures.
+// REQUIRES all pairs of these rows, and those with the sky of the rows that were to be integrated, by (i, j). Throws
+// RequestError naming the row where what is left differs from an integral by more than all pairs of the row may be off.
+SkyByClosure take_sky_by_closure(const ElementTable3& table, double tolerance, PairSums3& sums,
+                                 const std::vector<char>* is_chosen = nullptr);
 
 }  // namespace hottel

@@ -34,7 +34,8 @@ std::vector<Point2> points_of_csv(std::string_view text, const std::string& name
     const auto& fields = reader.fields();
     if (fields.size() == 1 && trimmed(fields[0], kBlanks).empty()) continue;
     if (fields.size() != 2)
-      throw InputError(reader.where(), "a point has two coordinates x,y, not " + std::to_string(fields.size()));
+      throw InputError(reader.where(), "a point has two coordinates x,y, not " + std::to_string(fields.size()),
+                       {"points with normals, which may be in space, have the first line x,y,nx,ny or x,y,z,nx,ny,nz"});
     const std::string_view x = trimmed(fields[0], kBlanks), y = trimmed(fields[1], kBlanks);
     if (is_first && upper_case(x) == "X" && upper_case(y) == "Y") continue;
     points.push_back({coordinate_of_2(x, reader.where()), coordinate_of_2(y, reader.where())});

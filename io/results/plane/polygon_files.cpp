@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "geometry/plane/visibility/polygon_extent.h"
 #include "io/results/csv_field.h"
 #include "io/results/plane/drawn_polygon.h"
 #include "io/results/plane/polygon_names.h"
@@ -53,14 +54,23 @@ class CsvWriter final : public TextWriter {
       : TextWriter(prepared, std::move(options), std::move(sink)) {
     std::string head = "point,corner,x,y,face";
     for (const std::string& channel : options_.channel_names) head += "," + irradiance_name(channel);
-    sink_(head + "\n");
+    sink_(head + ",area,perimeter\n");
   }
 
  private:
-  void append(const Point2&, const RoundedPolygon2& polygon, const std::vector<double>& irradiance,
+  // Both empty where the region is unbounded, or there is none.
+  std::string extent_text(const Point2& eye, const RoundedPolygon2& polygon) const {
+    const auto extent = extent_of(eye, polygon, options_.range);
+    if (!extent) return ",,";
+    return "," + (options_.is_exact ? to_string(*exact_area_of(polygon)) : shortest(extent->area)) + "," +
+           shortest(extent->perimeter);
+  }
+
+  void append(const Point2& eye, const RoundedPolygon2& polygon, const std::vector<double>& irradiance,
               std::string& text) override {
     std::string light;
     for (const double value : irradiance) light += "," + number_text(value);
+    light += extent_text(eye, polygon);
     if (polygon.corners.empty())
       text += fmt::format("{},,,,{}{}\n", point_, csv_field(no_polygon_name(prepared_, polygon)), light);
     for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
@@ -121,6 +131,9 @@ class GeoJsonWriter final : public TextWriter {
     if (options_.range) result["range"] = number(to_double(*options_.range));
     for (std::size_t c = 0; c < irradiance.size(); ++c)
       result[irradiance_name(options_.channel_names[c])] = number(irradiance[c]);
+    const auto extent = extent_of(eye, polygon, options_.range);
+    result["area"] = extent ? number(extent->area) : Json();
+    result["perimeter"] = extent ? number(extent->perimeter) : Json();
     return result;
   }
 
@@ -184,7 +197,7 @@ std::unique_ptr<PolygonWriter2> polygon_writer_2(PolygonFormat2 format, const Pr
     case PolygonFormat2::kNpz:
       break;
   }
-  return polygon_npz_writer(prepared, options.channel_names.size(), std::move(sink));
+  return polygon_npz_writer(prepared, options.channel_names.size(), options.range, std::move(sink));
 }
 
 }  // namespace hottel

@@ -1,11 +1,14 @@
 #include "io/results/plane/polygon_npz.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "geometry/plane/visibility/polygon_extent.h"
 #include "geometry/scene_names.h"
 #include "io/files/zip_file.h"
 #include "io/results/npy.h"
@@ -53,11 +56,14 @@ std::string array_of_texts(const std::vector<std::string>& texts) {
 
 class NpzWriter final : public PolygonWriter2 {
  public:
-  NpzWriter(const PreparedScene2& prepared, std::size_t channels, std::function<void(std::string_view)> sink)
-      : prepared_(prepared), channels_(channels), sink_(std::move(sink)) {}
+  NpzWriter(const PreparedScene2& prepared, std::size_t channels, std::optional<Rational> range,
+            std::function<void(std::string_view)> sink)
+      : prepared_(prepared), channels_(channels), range_(std::move(range)), sink_(std::move(sink)) {}
 
   void add(const PolygonBatch2& batch) override {
-    for (const RoundedPolygon2& polygon : batch.polygons) {
+    for (std::size_t k = 0; k < batch.polygons.size(); ++k) {
+      const RoundedPolygon2& polygon = batch.polygons[k];
+      add_extent(extent_of(batch.eyes[k], polygon, range_));
       for (const RoundedPolygon2::Corner& corner : polygon.corners) {
         require_finite(corner, begin_.size() - 1);
         xy_.push_back(corner.x);
@@ -92,6 +98,8 @@ class NpzWriter final : public PolygonWriter2 {
     zip.add("names.npy", array_of_texts(names));
     zip.add("solid.npy", array_of(indices(solid_), by_point, "<i4"));
     if (channels_ > 0) zip.add("irradiance.npy", array_of(irradiance_, light, "<f8"));
+    zip.add("area.npy", array_of(area_, by_point, "<f8"));
+    zip.add("perimeter.npy", array_of(perimeter_, by_point, "<f8"));
     zip.finish();
   }
 
@@ -99,6 +107,12 @@ class NpzWriter final : public PolygonWriter2 {
   // A face or a solid, by number, in the order of the scene.
   enum class Kind { kFace, kSolid };
   using Key = std::pair<Kind, std::uint32_t>;
+
+  void add_extent(const std::optional<PolygonExtent2>& extent) {
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    area_.push_back(extent ? extent->area : kNaN);
+    perimeter_.push_back(extent ? extent->perimeter : kNaN);
+  }
 
   // Until all are known a name is told by a number: -1 none, 0 a ray, 1 the sky, 2 an arc, then twice the number of a
   // face, or of a solid and one more.
@@ -121,8 +135,9 @@ class NpzWriter final : public PolygonWriter2 {
 
   const PreparedScene2& prepared_;
   const std::size_t channels_;
+  const std::optional<Rational> range_;
   const std::function<void(std::string_view)> sink_;
-  std::vector<double> xy_, irradiance_;
+  std::vector<double> xy_, irradiance_, area_, perimeter_;
   std::vector<std::int64_t> begin_{0}, side_, solid_;
   std::map<Key, std::int32_t> index_of_;
 };
@@ -130,8 +145,9 @@ class NpzWriter final : public PolygonWriter2 {
 }  // namespace
 
 std::unique_ptr<PolygonWriter2> polygon_npz_writer(const PreparedScene2& prepared, std::size_t channels,
+                                                   std::optional<Rational> range,
                                                    std::function<void(std::string_view)> sink) {
-  return std::make_unique<NpzWriter>(prepared, channels, std::move(sink));
+  return std::make_unique<NpzWriter>(prepared, channels, std::move(range), std::move(sink));
 }
 
 }  // namespace hottel

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include "geometry/plane/arrangement/prepared_scene.h"
@@ -19,9 +20,11 @@ namespace hottel {
 //               order of the scene
 //   solid       int32, n: the solid that a point is in, as an index into names; -1 in the open
 //   irradiance  float64, n x channels; not there for 0 channels
+//   area        float64, n, and `perimeter` alike: of the region; NaN where it is unbounded, or there is none
 //
-// REQUIRES that the scene outlives it.
+// REQUIRES that the scene outlives it, and polygons within the range, if there is one.
 std::unique_ptr<PolygonWriter2> polygon_npz_writer(const PreparedScene2& prepared, std::size_t channels,
+                                                   std::optional<Rational> range,
                                                    std::function<void(std::string_view)> sink);
 
 }  // namespace hottel

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <string>
+#include <vector>
 
 #include "geometry/scene_names.h"
 #include "io/results/csv_field.h"
@@ -18,7 +20,7 @@ std::string number(double value, const char* what, const Element& element) {
   return shortest(value);
 }
 
-std::string points_text(const std::vector<std::array<double, 3>>& corners, const Element& element) {
+std::string points_text(const WrittenLoop3& corners, const Element& element) {
   std::string text;
   for (const std::array<double, 3>& corner : corners) {
     if (!text.empty()) text += ';';
@@ -27,12 +29,20 @@ std::string points_text(const std::vector<std::array<double, 3>>& corners, const
   return text;
 }
 
+std::string points_text(const WrittenOutline3& outline, const Element& element) {
+  std::string text;
+  for (const std::vector<WrittenLoop3>& part : outline) {
+    if (!text.empty()) text += "||";
+    for (const WrittenLoop3& loop : part) text += (&loop == part.data() ? "" : "|") + points_text(loop, element);
+  }
+  return text;
+}
+
 }  // namespace
 
-void write_faces_csv_3(const FactorTable& table, std::span<const std::vector<std::array<double, 3>>> corners,
-                       const Sink& sink) {
+void write_faces_csv_3(const FactorTable& table, std::span<const WrittenOutline3> outlines, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;
-  HOTTEL_REQUIRE(corners.size() == matrix.size());
+  HOTTEL_REQUIRE(outlines.size() == matrix.size());
   std::string text = "index,face,element,area,material,points\n";
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     const Element& element = matrix.elements()[i];
@@ -42,7 +52,7 @@ void write_faces_csv_3(const FactorTable& table, std::span<const std::vector<std
     text += fmt::format("{},{},{},{},{},{}\n", i + 1, csv_field(face), element.node().text(),
                         number(written_double(element.area), "the area", element),
                         element.material ? csv_field(table.scene.materials[*element.material].name) : "",
-                        points_text(corners[i], element));
+                        points_text(outlines[i], element));
   }
   sink(text + fmt::format("{},sky,0,,,\n", matrix.size() + 1));
 }

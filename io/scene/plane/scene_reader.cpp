@@ -31,6 +31,7 @@ class PlaneReader {
     if (unit) table_.read_unit(unit);
     table_.settle_bands();
     if (!scene_.bases.empty()) seat_patches(scene_, finest_unit({edges, polylines}));
+    settle_two_sided(scene_);
     validate(scene_);
     refuse_names_of_edges(scene_, polyline_line_);
     return std::move(scene_);

@@ -52,11 +52,18 @@ struct MeshAdder3::Adding {
   Adding(const Mesh3& of, const MeshEntry3& its)
       : mesh(of), entry(its), groups(of.groups.size() + 1), materials(of.materials.size() + 1), count(groups.size()) {
     materials.back() = its.material;
+    for (const MeshName3& group : of.groups) backs.push_back(back_of(group.name));
+    backs.push_back(back_of(its.name));
+  }
+
+  std::optional<std::uint32_t> back_of(const std::string& group) const {
+    const auto own = entry.backs.find(group);
+    return own == entry.backs.end() ? entry.back : std::optional(own->second);
   }
 
   const Mesh3& mesh;
   const MeshEntry3& entry;
-  std::vector<std::optional<std::uint32_t>> groups, materials;
+  std::vector<std::optional<std::uint32_t>> groups, materials, backs;
   std::vector<std::size_t> count;                // faces of each group so far
   std::optional<InputError> first_without_area;  // of its faces
   bool has_area = false;
@@ -86,7 +93,7 @@ void MeshAdder3::add_face(Adding& adding, const MeshFace3& face) {
   adding.has_area = true;
   surface.group = group_of(adding, face);
   surface.material = material_of(adding, face, surface.name);
-  surface.back = adding.entry.back;
+  surface.back = adding.backs[group];
   surface.elements = adding.entry.elements;
   surface.line = adding.entry.line > 0 ? adding.entry.line : face.line;
   surface.in_mesh = {static_cast<std::uint32_t>(scene_.sources.size()), face.line};

@@ -20,10 +20,11 @@ inline const Rational kMeshReflectivity{1, 2};
 
 // How a mesh enters a scene.
 struct MeshEntry3 {
-  std::string name;                       // of faces in no group
-  Rational scale = 1;                     // of coordinates
-  std::optional<std::uint32_t> material;  // of faces that name none; index into the scene's materials
-  std::optional<std::uint32_t> back;      // of all backs
+  std::string name;                                        // of faces in no group
+  Rational scale = 1;                                      // of coordinates
+  std::optional<std::uint32_t> material;                   // of faces that name none; index into the scene's materials
+  std::optional<std::uint32_t> back;                       // of all backs but those of `backs`
+  std::unordered_map<std::string, std::uint32_t> backs{};  // of backs by their group: a group of the mesh, or `name`
   std::uint32_t elements = 1;
   Behind behind = Behind::kByOutline;  // of all groups
   int line = 0;                        // of the mesh in the file of the scene; 0: faces have their own there

@@ -20,6 +20,16 @@
 namespace hottel {
 namespace {
 
+// Of a group that a mesh has not: those near to its name, or those there are.
+std::vector<std::string> group_hints(const std::string& name, const std::vector<std::string>& groups) {
+  constexpr std::size_t kMost = 8;
+  if (auto near = near_name_hints(name, groups); !near.empty()) return near;
+  std::string text = groups.size() == 1 ? "its group is" : "its groups are";
+  for (std::size_t k = 0; k < std::min(kMost, groups.size()); ++k)
+    text += (k > 0 ? ", " : " ") + quoted_name(groups[k]);
+  return {text + (groups.size() > kMost ? ", ..." : "")};
+}
+
 class SpaceReader3 {
  public:
   SpaceReader3(const std::string& name, const TextSource& files, Triangulator3* triangulator, PassedOver* passed_over)
@@ -45,6 +55,7 @@ class SpaceReader3 {
     if (unit) table_.read_unit(unit);
     table_.settle_bands();
     seat_patches(scene_, unit_of_digits_);
+    settle_two_sided(scene_);
     validate(scene_);
     refuse_groups_of_one_name();
     return std::move(scene_);
@@ -178,9 +189,10 @@ class SpaceReader3 {
   }
 
   void read_mesh(const JsonValue& value, const std::string& default_name, MeshAdder3& adder) {
-    const auto [file, name, material, scale, back, elements, about, behind] = read_members(
-        value, {default_name},
-        std::array<std::string_view, 8>{"file", "name", "material", "scale", "back", "elements", "about", "behind"});
+    const auto [file, name, material, scale, back, elements, about, behind, backs] =
+        read_members(value, {default_name},
+                     std::array<std::string_view, 9>{"file", "name", "material", "scale", "back", "elements", "about",
+                                                     "behind", "backs"});
     require_member(file, "file", value, {default_name});
     MeshEntry3 entry;
     entry.name = name ? read_string(name, {default_name, "name"}) : default_name;
@@ -197,6 +209,7 @@ class SpaceReader3 {
     entry.line = value.line();
     const Mesh3 mesh = read_mesh_file(file, owner);
     if (!scene_.bases.empty()) unit_of_digits_ = std::max(unit_of_digits_, unit_of(mesh, entry.scale));
+    if (backs) read_backs(backs, owner, mesh, entry);
     adder.add(mesh, entry);
   }
 
@@ -206,6 +219,22 @@ class SpaceReader3 {
     if (mesh.float_digits > 0)
       for (const MeshFace3& face : mesh.faces) unit = std::max(unit, float_spacing(face.polygon, mesh.float_digits));
     return scale * unit;
+  }
+
+  // The materials of backs by groups of the mesh; the faces without one are called so as the mesh is.
+  void read_backs(const JsonValue& backs, const std::string& owner, const Mesh3& mesh, MeshEntry3& entry) const {
+    require_kind(backs, JsonKind::kObject, {owner, "backs"});
+    std::vector<std::string> groups;
+    for (const MeshName3& group : mesh.groups) groups.push_back(group.name);
+    if (std::ranges::any_of(mesh.faces, [](const MeshFace3& face) { return !face.group; }))
+      groups.push_back(entry.name);
+    for (const auto [key, value] : backs.members()) {
+      const std::string group(key.text());
+      if (std::ranges::find(groups, group) == groups.end())
+        refuse(key, owner + ": backs: " + mesh.file + " has no group " + quoted_name(group),
+               group_hints(group, groups));
+      entry.backs.emplace(group, table_.material_of(value, {owner, "the back of " + quoted_name(group)}));
+    }
   }
 
   Mesh3 read_mesh_file(const JsonValue& file, const std::string& owner) const {

@@ -124,4 +124,23 @@ void LitRegions2::add(const Eye2& point, std::span<const double> ways_x, std::sp
   add_suns(point, result);
 }
 
+void LitRegions2::add_facing(const Eye2& point, const std::array<double, 2>& normal, std::span<double> result) const {
+  // Of light that travels along a way.
+  const auto pi_cosine = [&normal](double way_x, double way_y) {
+    const double length = std::hypot(way_x, way_y);
+    const double cosine = length > 0 ? -(way_x * normal[0] + way_y * normal[1]) / length : 1;
+    return cosine > 0 ? std::numbers::pi * cosine : 0;
+  };
+  for (std::size_t k = 0; k < regions_.size(); ++k) {
+    const Point2 from = regions_[k]->eye().exact(), to = point.exact();
+    const double way_x = to_double(to.x - from.x), way_y = to_double(to.y - from.y);
+    if (const double facing = pi_cosine(way_x, way_y); facing > 0)
+      add(power_[k], facing * regions_[k]->irradiance(point, way_x, way_y), result);
+  }
+  for (const Sun& sun : suns_) {
+    const double facing = pi_cosine(to_double(sun.view.direction().x), to_double(sun.view.direction().y));
+    if (facing > 0 && sun.view.reaches(point)) add(sun.irradiance, facing * std::numbers::inv_pi, result);
+  }
+}
+
 }  // namespace hottel

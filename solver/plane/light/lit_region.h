@@ -68,6 +68,9 @@ class LitRegions2 {
   // The same where the ways from the lamps to the point are known, as LitRegion2::irradiance takes them; one a lamp.
   void add(const Eye2& point, std::span<const double> ways_x, std::span<const double> ways_y,
            std::span<double> result) const;
+  // Adds the direct irradiance of a small area at a point whose front has this unit normal: pi cos times the mean
+  // irradiance of each light, I cos / r of a lamp; nothing from behind.
+  void add_facing(const Eye2& point, const std::array<double, 2>& normal, std::span<double> result) const;
 
  private:
   using Power = std::array<double, 3>;

@@ -154,12 +154,13 @@ struct FactorsInput {
   ScenePtr scene;  // of the version that it is made for; not compared: what matters of it is arranged
   MethodPtr method;
   Granularity granularity = Granularity::kFace;
+  RowChoice rows = {};
   bool wants_visibility = false, wants_measures = false, everything = false;
   std::uint64_t memory = 0;
   std::shared_ptr<FactorStore> store = nullptr;  // no number depends on it
   friend bool operator==(const FactorsInput& a, const FactorsInput& b) {
     return a.arrangement == b.arrangement && a.method == b.method && a.granularity == b.granularity &&
-           a.wants_visibility == b.wants_visibility && a.wants_measures == b.wants_measures &&
+           a.rows == b.rows && a.wants_visibility == b.wants_visibility && a.wants_measures == b.wants_measures &&
            a.everything == b.everything && a.memory == b.memory && a.store == b.store;
   }
 };
@@ -276,6 +277,7 @@ ComputedFactors2 make_factors(const FactorsInput& input, const StageProgress& pr
                               .wants_visibility = input.wants_visibility,
                               .wants_measures = input.wants_measures,
                               .always_sweeps = input.everything,
+                              .rows = input.rows,
                               .memory = memory_allowed(input.memory),
                               .progress = telling("view factors", progress)};
   return input.store ? kept_factors_2(*input.store, *input.method, *prepared, asked)
@@ -493,6 +495,7 @@ void Simulation2::Version::set_factors(const Version* before) {
                                           ? request.method
                                           : exact_method(),
                             .granularity = granularity,
+                            .rows = request.store ? RowChoice() : request.rows,  // what is kept is kept whole
                             .wants_visibility = request.wants_visibility,
                             .wants_measures = request.wants_measures,
                             .everything = request.everything,

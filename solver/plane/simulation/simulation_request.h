@@ -7,6 +7,7 @@
 #include <string>
 
 #include "geometry/plane/scene/scene.h"
+#include "geometry/row_choice.h"
 #include "solver/plane/light/light_values.h"
 #include "solver/plane/methods/exchange_method.h"
 #include "solver/radiosity/light_test.h"
@@ -39,6 +40,7 @@ struct SimulationRequest2 {
   std::shared_ptr<const ExchangeMethod2> method = {};     // null: the exact one
   std::optional<Granularity> granularity = {};            // nothing: elements where a surface is divided, else faces
   bool wants_visibility = false, wants_measures = false;  // beside the factors
+  RowChoice rows = {};                                    // as ExchangeRequest takes them
   bool everything = false;                                // every effect, though the scene calls for less of them
   Solver solver = Solver::kAuto;
   std::optional<int> iterations = {};  // of solvers that iterate, as in RadiosityOptions

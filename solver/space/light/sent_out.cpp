@@ -35,7 +35,7 @@ void SentOut3::mean(const Point3& eye, std::span<double> result) const {
   for (std::size_t c = 0; c < result.size(); ++c) result[c] += map.sky_fraction * sky_[c];
 }
 
-void SentOut3::irradiance(const Point3& eye, const Vector3& normal, std::span<double> result) const {
+double SentOut3::irradiance(const Point3& eye, const Vector3& normal, std::span<double> result) const {
   const PointMap3 map = map_from(prepared_.blockers(), {.eye = eye, .normal = Point3{normal.x, normal.y, normal.z}});
   const Rational largest = std::max({Rational(abs(normal.x)), Rational(abs(normal.y)), Rational(abs(normal.z))});
   const Direction3 up =
@@ -44,6 +44,7 @@ void SentOut3::irradiance(const Point3& eye, const Vector3& normal, std::span<do
       map, eye, [](const PointMap3::Fragment& fragment) { return fragment.factor; },
       [&up](std::span<const Direction3> cone) { return view_factor_3(cone, up); }, result);
   for (std::size_t c = 0; c < result.size(); ++c) result[c] += map.sky_factor * sky_[c];
+  return map.sky_factor;
 }
 
 template <class FractionOf, class Measure>

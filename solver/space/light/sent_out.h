@@ -30,8 +30,9 @@ class SentOut3 {
   // Writes the mean over all directions, by channel; nothing outside a closed scene, where no face with a material is
   // seen.
   void mean(const Point3& eye, std::span<double> result) const;
-  // Writes the irradiance of a small area at the point, its front to the normal (not zero, of any length).
-  void irradiance(const Point3& eye, const Vector3& normal, std::span<double> result) const;
+  // Writes the irradiance of a small area at the point, its front to the normal (not zero, of any length). Returns its
+  // view factor to the sky.
+  double irradiance(const Point3& eye, const Vector3& normal, std::span<double> result) const;
 
  private:
   struct Part {

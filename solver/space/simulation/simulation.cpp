@@ -68,6 +68,7 @@ ComputedFactors3 make_factors(const PreparedScene3& prepared, const FactorsReque
                               .wants_measures = request.wants_measures,
                               .tolerance = request.tolerance,
                               .sky = request.sky,
+                              .rows = request.rows,
                               .memory = memory_allowed(request.memory)};
   if (request.method) {
     const auto compute = [&] { return factors_by(*request.method, prepared, request, progress); };
@@ -404,7 +405,7 @@ std::shared_ptr<const ComputedFactors3> Simulation3::factors(const StageProgress
 }
 void Simulation3::require_closed(const StageProgress& progress) const {
   if (!scene().closed) return;
-  if (request().factors.method == nullptr)
+  if (request().factors.method == nullptr && request().factors.rows.is_all())
     hottel::require_closed(scene(), factors(progress)->matrix);
   else
     hottel::require_closed(*prepared(progress));

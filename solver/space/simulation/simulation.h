@@ -9,6 +9,7 @@
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/exchange_request.h"
+#include "geometry/row_choice.h"
 #include "geometry/space/exchange/exchange_report.h"
 #include "geometry/space/scene/scene.h"
 #include "kernel/support/stage.h"
@@ -39,6 +40,7 @@ struct FactorsRequest3 {
   double tolerance = 1e-9;                                // as ExchangeRequest takes it
   SkyBy sky = SkyBy::kIntegral;                           // how it is told what is seen of the sky
   bool must_be_enclosed = false;                          // a pair without an enclosure within it is refused
+  RowChoice rows = {};                                    // as ExchangeRequest takes them
   std::uint64_t memory = 0;                               // bytes, as memory_allowed() takes it
   // Says which rows are measured first, and is told of them as they come, on the thread that measures; of the exact
   // method. Nothing that is computed depends on it: requests are alike with and without one.
@@ -49,7 +51,7 @@ struct FactorsRequest3 {
   friend bool operator==(const FactorsRequest3& a, const FactorsRequest3& b) {
     return a.method == b.method && a.granularity == b.granularity && a.wants_visibility == b.wants_visibility &&
            a.wants_measures == b.wants_measures && a.tolerance == b.tolerance && a.sky == b.sky &&
-           a.must_be_enclosed == b.must_be_enclosed && a.memory == b.memory;
+           a.must_be_enclosed == b.must_be_enclosed && a.rows == b.rows && a.memory == b.memory;
   }
 };
 

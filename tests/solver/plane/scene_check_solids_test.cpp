@@ -211,7 +211,7 @@ TEST(SolidChecks2, AThinWallOrABoxWithAGapWantsABack) {
     ASSERT_FALSE(findings.empty());
     for (const Finding2& finding : findings) {
       EXPECT_EQ(finding.kind, "black-back");
-      EXPECT_EQ(finding.suggestion, "give 'wall' a \"back\"");
+      EXPECT_EQ(finding.suggestion, "give 'wall' a \"back\", or its material \"two_sided\": true");
     }
   }
 }

@@ -28,6 +28,7 @@ Scene2 begin_edit(const Scene2& scene) {
 
 Scene2 end_edit(Scene2 scene) {
   settle_bands(scene);
+  settle_two_sided(scene);
   return in_file_order(std::move(scene)).scene;
 }
 
@@ -80,6 +81,7 @@ class Adder {
     }
   }
   AddedSurfaces2 result() && {
+    settle_two_sided(edited_);
     FileOrder2 ordered = in_file_order(std::move(edited_));
     AddedSurfaces2 result{std::move(ordered.scene), {ordered.place.begin() + before_, ordered.place.end()}};
     std::sort(result.surfaces.begin(), result.surfaces.end());

@@ -7,10 +7,10 @@
 //   (2) a polyline that no longer is one falls apart into edges, which keep their names and stand after all other edges
 //   (3) what comes out may be invalid, as where an edge gets length zero or claims conflict: nothing is thrown for that
 //   (4) expectations are about the scene that went in: the one that comes out has none
-//   (5) all else is as it was, file and lines too
+//   (5) all else is as it was, file and lines too; but a surface with a two-sided material on its front and none on its
+//       back has it there too, if it is no patch
 //   (10) patches go with what they lie on (carry_patches): moved, turned round, erased and copied with it. One that is
-//   moved
-//       alone slides along that. They name what they lie on by its name now (rename_bases)
+//       moved alone slides along that. They name what they lie on by its name now (rename_bases)
 //
 // REQUIRES: a scene that is valid but for (3); points in lowest terms. Throws ContractViolation for an index out of
 // range. A surface that is listed twice is listed once. COST: linear, and a copy of the scene.

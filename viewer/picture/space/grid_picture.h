@@ -7,6 +7,7 @@
 
 #include "solver/space/simulation/simulation.h"
 #include "viewer/picture/picture_options.h"
+#include "viewer/picture/shown_values.h"
 
 namespace hottel {
 
@@ -19,6 +20,9 @@ struct GridPicture3 {
 // Returns the bytes of a PNG: u to the right, v upwards, as long as they are; each cell is the same number of whole
 // pixels in the colour of its value, grey where it is in a solid.
 std::string grid_picture_3(const IlluminationGrid3& light, const GridPicture3& picture);
+
+// The same of values on a scale, one a cell, in place of the light, with a footer below that has bar, unit and range.
+std::string grid_picture_3(const Grid3& grid, const ShownValues& cells, std::uint32_t wanted_width);
 
 // The same for a simulation to call.
 std::shared_ptr<const LightPainter3> grid_painter_3(const GridPicture3& picture);

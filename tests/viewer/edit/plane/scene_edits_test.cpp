@@ -301,6 +301,21 @@ TEST(SceneEdits2, HaveNoExpectationsAndKeepAllElse) {
   EXPECT_FALSE(scene.expect.empty());
 }
 
+// What is drawn with it has it on both sides, as reading what is saved will say.
+TEST(SceneEdits2, GiveATwoSidedMaterialToTheBack) {
+  const Scene2 scene = parse_scene_2(R"({"hottel": 1, "dimension": 2, "materials": {"leaf": {"two_sided": true}},
+    "edges": [{"name": "a", "points": [[0, 0], [1, 0]], "material": "leaf"}]})",
+                                     "leaf");
+  EXPECT_EQ(scene.surfaces[0].back, 0u);
+  const AddedSurfaces2 added = add_edge(scene, {{0, 1}, {1, 1}}, 0);
+  ASSERT_EQ(added.surfaces.size(), 1u);
+  EXPECT_EQ(added.scene.surfaces[added.surfaces[0]].back, 0u);
+  const Scene2 read = parse_scene_2(write_scene_2(added.scene), "saved");
+  EXPECT_TRUE(read.materials[0].is_two_sided);
+  EXPECT_EQ(read.surfaces.size(), 2u);
+  for (const Surface& surface : read.surfaces) EXPECT_EQ(surface.back, 0u);
+}
+
 TEST(SceneEdits2, RefuseIndicesOutOfRange) {
   const Scene2 scene = small_room();
   const Surfaces out{0, 11};

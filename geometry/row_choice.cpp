@@ -1,0 +1,49 @@
+#include "geometry/row_choice.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "geometry/scene_names.h"
+
+namespace hottel {
+namespace {
+
+// All surfaces of the groups that these are of.
+std::vector<std::uint32_t> with_their_groups(const SceneTable& scene, const std::vector<std::uint32_t>& surfaces) {
+  std::vector<char> is_chosen(scene.groups.size(), 0);
+  for (const std::uint32_t s : surfaces) is_chosen[scene.surfaces[s].group] = 1;
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+    if (is_chosen[scene.surfaces[s].group] != 0) result.push_back(s);
+  return result;
+}
+
+}  // namespace
+
+RowChoice RowChoice::of(const SceneTable& scene, const std::string& word, Granularity granularity) {
+  constexpr std::string_view kBack = ":back";
+  RowChoice choice;
+  if (word == "fronts") {
+    choice.sides_ = Sides::kFronts;
+    return choice;
+  }
+  const bool is_of_backs = word.ends_with(kBack);
+  if (is_of_backs) choice.sides_ = Sides::kBacks;
+  choice.surfaces_ = surfaces_matching(scene, is_of_backs ? word.substr(0, word.size() - kBack.size()) : word);
+  if (granularity == Granularity::kGroup) choice.surfaces_ = with_their_groups(scene, choice.surfaces_);
+  return choice;
+}
+
+bool RowChoice::has(const Element& element) const {
+  if (sides_ != Sides::kBoth && element.is_back != (sides_ == Sides::kBacks)) return false;
+  return surfaces_.empty() || std::binary_search(surfaces_.begin(), surfaces_.end(), element.surface);
+}
+
+std::vector<std::uint32_t> RowChoice::labels(const std::vector<Element>& elements) const {
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t label = 0; label < elements.size(); ++label)
+    if (has(elements[label])) result.push_back(label);
+  return result;
+}
+
+}  // namespace hottel
