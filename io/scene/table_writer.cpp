@@ -80,7 +80,7 @@ std::vector<char> two_sided_materials(const SceneTable& table) {
   std::vector<char> result;
   for (const Material& material : table.materials) result.push_back(material.is_two_sided ? 1 : 0);
   for (const Surface& surface : table.surfaces)
-    if (!surface.is_obstruction && !surface.back) result[surface.material] = 0;
+    if (!surface.is_obstruction && !surface.on && !surface.back) result[surface.material] = 0;
   return result;
 }
 

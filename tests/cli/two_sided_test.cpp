@@ -82,6 +82,27 @@ TEST(TwoSided, StoresTakeItForWhatItIs) {
   }
 }
 
+// A patch has the back that it says, and takes its part of the front of what it lies on alone.
+TEST(TwoSided, PatchesHaveTheBacksThatTheySay) {
+  const Workplace place;
+  for (const std::string& scene : {kPlane, kSpace}) {
+    std::string with = scene;
+    replace_all(with, R"(2]], "material": "leaf", "back": "wall"})",
+                scene == kPlane ? R"(2]], "material": "leaf", "back": "wall"},
+      {"name": "pane", "points": [[0.25, 2], [0.5, 2]], "material": "leaf", "on": "shelf"})"
+                                : R"(2]], "material": "leaf", "back": "wall"},
+      {"name": "pane", "points": [[2,1,2],[2.5,1,2],[2.5,1.25,2]], "material": "leaf", "on": "shelf"})");
+    ASSERT_NE(with, scene);
+    place.write("scene.json", with);
+    const Outcome rows = place.run("hottel factors scene.json --quiet");
+    EXPECT_EQ(rows.code, 0) << rows.err;
+    EXPECT_THAT(rows.out, AllOf(HasSubstr("\npane,"), HasSubstr("\nscreen:back,"), Not(HasSubstr("\npane:back,"))));
+    ASSERT_EQ(place.run("hottel convert scene.json once.json").code, 0);
+    EXPECT_THAT(place.read("once.json"), HasSubstr("\"two_sided\": true"));
+    EXPECT_EQ(place.run("hottel factors once.json --quiet").out, rows.out);
+  }
+}
+
 TEST(TwoSided, IsTrueOrFalse) {
   const Workplace place;
   std::string scene = kPlane;
