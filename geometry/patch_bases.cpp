@@ -90,6 +90,23 @@ std::optional<std::vector<std::uint32_t>> PatchBases::outermost_first() const {
   return order;
 }
 
+std::vector<std::uint32_t> PatchBases::resting_on(
+    std::span<const std::uint32_t> surfaces,
+    const std::function<std::vector<std::uint32_t>(std::uint32_t patch)>& carriers) const {
+  std::vector<std::uint32_t> patches;
+  const auto order = outermost_first();
+  if (is_empty() || !order) return patches;
+  std::vector<char> is_listed(base_of_.size(), 0);
+  for (const std::uint32_t s : surfaces) is_listed[s] = 1;
+  for (const std::uint32_t patch : *order)
+    if (std::ranges::any_of(carriers(patch), [&](std::uint32_t s) { return is_listed[s] != 0; })) {
+      is_listed[patch] = 1;
+      patches.push_back(patch);
+    }
+  std::ranges::sort(patches);
+  return patches;
+}
+
 std::vector<Face> silent_fronts(const PatchBases& patches, std::span<const Face> there,
                                 const std::function<bool(std::uint32_t surface)>& is_silent) {
   std::vector<Face> silent;

@@ -46,6 +46,11 @@ class PatchBases {
 
   // The patches, each after those that it lies on; nothing where some lie on themselves.
   std::optional<std::vector<std::uint32_t>> outermost_first() const;
+  // The patches that lie on some of these surfaces, also by way of others, ascending; none where some lie on
+  // themselves. `carriers`: what a patch touches of what it lies on.
+  std::vector<std::uint32_t> resting_on(
+      std::span<const std::uint32_t> surfaces,
+      const std::function<std::vector<std::uint32_t>(std::uint32_t patch)>& carriers) const;
 
  private:
   std::size_t index_of(std::uint32_t patch) const { return static_cast<std::size_t>(base_of_[patch]); }

@@ -55,18 +55,7 @@ std::vector<std::uint32_t> PatchCarriers2::of(std::uint32_t patch) const {
 
 std::vector<std::uint32_t> patches_on(const Scene2& scene, const std::vector<std::uint32_t>& surfaces) {
   const PatchCarriers2 carriers(scene);
-  std::vector<std::uint32_t> patches;
-  const auto order = carriers.bases().outermost_first();
-  if (carriers.bases().is_empty() || !order) return patches;
-  std::vector<char> is_listed(scene.surfaces.size(), 0);
-  for (const std::uint32_t s : surfaces) is_listed[s] = 1;
-  for (const std::uint32_t patch : *order)
-    if (std::ranges::any_of(carriers.of(patch), [&](std::uint32_t s) { return is_listed[s] != 0; })) {
-      is_listed[patch] = 1;
-      patches.push_back(patch);
-    }
-  std::ranges::sort(patches);
-  return patches;
+  return carriers.bases().resting_on(surfaces, [&](std::uint32_t patch) { return carriers.of(patch); });
 }
 
 std::optional<BareScene2> without_patches(const Scene2& scene) {
