@@ -164,6 +164,8 @@ void factors_in_plane(const FactorsOptions& options, Scene2 scene, Streams& stre
   const PreparedScene2& prepared = *factors.prepared;
   FactorTable table{prepared.scene, factors.written(), factors.report.granularity, {}, {}};
   if (factors.gray) table.gray_channel = factors.gray->channel;
+  table.has_areas = options.areas;
+  table.digits = options.digits;
   take_rows(options, streams, table);
   if (options.pairs == "facing" || options.matrix == "visibility")
     table.hidden = hidden_pairs(prepared, table.granularity, factors.matrix());

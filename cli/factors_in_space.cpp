@@ -74,6 +74,8 @@ void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams
   if (options.script_f) gray = gray_factors(options, computed->matrix, prepared->scene.materials, streams);
   FactorTable table{prepared->scene, gray ? gray->matrix : computed->matrix, request.granularity};
   if (gray) table.gray_channel = gray->channel;
+  table.has_areas = options.areas;
+  table.digits = options.digits;
   take_rows(options, streams, table);
   obey_deck(options, streams, table, prepared->scene.polygons);
   if (options.pairs == "facing" || options.matrix == "visibility") table.hidden = *simulation.hidden(streams.stages());

@@ -103,10 +103,8 @@ void note_matrix(const FactorsOptions& options, const FactorTable& table, const 
 void write_table(const FactorsOptions& options, const FactorTable& table, FactorsFiles& files,
                  const std::function<void(const Sink&)>& write_faces) {
   const Sink sink = [&files](std::string_view text) { files.out->write(text); };
-  FactorTable in_csv = table;
-  in_csv.digits = options.digits;
   if (!options.matrix.empty()) {
-    write_dense_csv(in_csv,
+    write_dense_csv(table,
                     options.matrix == "factor"     ? DenseQuantity::kFactor
                     : options.matrix == "exchange" ? DenseQuantity::kExchange
                                                    : DenseQuantity::kVisibility,
@@ -115,8 +113,7 @@ void write_table(const FactorsOptions& options, const FactorTable& table, Factor
   }
   switch (options.format()) {
     case FactorsFormat::kCsv:
-      in_csv.has_areas = options.areas;
-      return write_factors_csv(in_csv, sink);
+      return write_factors_csv(table, sink);
     case FactorsFormat::kMtx:
       write_factors_mtx(table, sink);
       return write_faces([&files](std::string_view text) { files.rows->write(text); });

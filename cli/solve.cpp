@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <limits>
 
 #include "cli/command.h"
 #include "cli/machine_speed.h"
@@ -233,11 +232,8 @@ void write_results(const SolveOptions& options, const Simulation2& simulation, c
   }
   if (outputs.shown_npy) {
     const ShownValues& values = results.cells->values;
-    std::vector<double> numbers;
-    for (const std::optional<double>& value : values.elements)
-      numbers.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
     const std::size_t shape[2] = {results.cells->grid.ny, results.cells->grid.nx};
-    write_npy(shape, numbers, [&outputs](std::string_view bytes) { outputs.shown_npy->write(bytes); });
+    write_npy(shape, values.numbers(), [&outputs](std::string_view bytes) { outputs.shown_npy->write(bytes); });
     outputs.shown_sidecar->write(shown_sidecar(region_of(results.cells->grid), values.name, values.unit));
   }
   if (outputs.png)

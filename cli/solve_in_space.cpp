@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -108,11 +107,8 @@ struct GridFiles {
                                 streams.progress("light on the grid"));
     const ShownValues values = shown_at_points(shown, lights, solution->channel_names, "W/m²");
     seconds["illumination"] += watch.lap();
-    std::vector<double> numbers;
-    for (const std::optional<double>& value : values.elements)
-      numbers.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
     const std::size_t shape[2] = {grid.nv, grid.nu};
-    write_npy(shape, numbers, [this](std::string_view bytes) { shown_npy->write(bytes); });
+    write_npy(shape, values.numbers(), [this](std::string_view bytes) { shown_npy->write(bytes); });
     shown_sidecar->write(hottel::shown_sidecar(region_of(grid), values.name, values.unit));
     if (!png) return;
     png->write(grid_picture_3(grid, values, wanted_width));

@@ -3,6 +3,8 @@
 
 #include <compare>
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 namespace hottel {
 
@@ -22,5 +24,15 @@ struct Face {
   friend constexpr bool operator==(const Face&, const Face&) = default;
   friend constexpr auto operator<=>(const Face&, const Face&) = default;
 };
+
+// The name of one side of a surface or group: "wall" is its front, "wall:back" its back.
+struct SideName {
+  std::string name;
+  bool is_back = false;
+  friend bool operator==(const SideName&, const SideName&) = default;
+};
+SideName side_named(std::string_view text);
+// Returns that text: side_named(side_text(side)) == side, where the name is one (name_problem).
+std::string side_text(const SideName& side);
 
 }  // namespace hottel

@@ -119,14 +119,6 @@ std::vector<Face> silent_fronts(const PatchBases& patches, std::span<const Face>
   return silent;
 }
 
-PatchBase patch_base(std::string_view name) {
-  constexpr std::string_view kBack = ":back";
-  const bool is_back = name.ends_with(kBack);
-  return {std::string(name.substr(0, name.size() - (is_back ? kBack.size() : 0))), is_back};
-}
-
-std::string base_name(const PatchBase& base) { return base.name + (base.is_back ? ":back" : ""); }
-
 void settle_bases(SceneTable& table) {
   std::vector<PatchBase> bases;
   for (Surface& surface : table.surfaces) {
@@ -142,10 +134,21 @@ void settle_bases(SceneTable& table) {
 
 std::string base_text(const PatchBase& base) { return (base.is_back ? "the back of " : "") + quoted_name(base.name); }
 
+void refuse_patch(const SceneTable& table, std::uint32_t patch, const std::string& what, const std::string& remedy) {
+  const Surface& surface = table.surfaces[patch];
+  throw InputError(place_of(table, surface), quoted_name(surface.name) + " " + what, {remedy});
+}
+
+void refuse_turned_patch(const SceneTable& table, std::uint32_t patch) {
+  const PatchBase& on = table.bases[*table.surfaces[patch].on];
+  refuse_patch(table, patch, "looks the other way than " + base_text(on) + ", on which it lies",
+               "list its points in the other order, or say that it is on '" + side_text({on.name, !on.is_back}) + "'");
+}
+
 std::string patch_hint(const SceneTable& table, const Face& patch, const Face& base) {
   const Surface &own = table.surfaces[patch.surface], &under = table.surfaces[base.surface];
   const std::string& name = own.group == under.group ? under.name : table.groups[under.group].name;
-  const std::string key = base_name({name, patch.is_back != base.is_back});
+  const std::string key = side_text({name, patch.is_back != base.is_back});
   return "if " + quoted_name(own.name) + " is a part of " + quoted_name(name) +
          ", as a window is of a wall, say so in it: \"on\": \"" + key + "\" (in a drawing data-on=\"" + key + "\")";
 }

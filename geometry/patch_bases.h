@@ -6,7 +6,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "geometry/face.h"
@@ -66,10 +65,6 @@ class PatchBases {
 std::vector<Face> silent_fronts(const PatchBases& patches, std::span<const Face> there,
                                 const std::function<bool(std::uint32_t surface)>& is_silent);
 
-// Returns the base that a text names, "wall" or "wall:back", and the text of a base.
-PatchBase patch_base(std::string_view name);
-std::string base_name(const PatchBase& base);
-
 // Lists the bases anew in the order in which surfaces first name them, each once and no others: as a file is read.
 void settle_bases(SceneTable& table);
 
@@ -79,6 +74,12 @@ std::string base_text(const PatchBase& base);
 // Returns a hint for two faces with different materials on one side: that one may be a patch on the other, and how to
 // say so. `patch` is that of the smaller surface.
 std::string patch_hint(const SceneTable& table, const Face& patch, const Face& base);
+
+// Throws InputError about a patch: "'window' looks ...", with file and line; of one that looks the other way than what
+// it lies on.
+[[noreturn]] void refuse_patch(const SceneTable& table, std::uint32_t patch, const std::string& what,
+                               const std::string& remedy);
+[[noreturn]] void refuse_turned_patch(const SceneTable& table, std::uint32_t patch);
 
 // Throws InputError naming file, line and patch for one whose base is not there or is itself, by way of others too, and
 // for an obstruction that is one. REQUIRES valid indices of bases.

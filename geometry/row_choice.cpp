@@ -1,8 +1,8 @@
 #include "geometry/row_choice.h"
 
 #include <algorithm>
-#include <string_view>
 
+#include "geometry/face.h"
 #include "geometry/scene_names.h"
 
 namespace hottel {
@@ -21,15 +21,14 @@ std::vector<std::uint32_t> with_their_groups(const SceneTable& scene, const std:
 }  // namespace
 
 RowChoice RowChoice::of(const SceneTable& scene, const std::string& word, Granularity granularity) {
-  constexpr std::string_view kBack = ":back";
   RowChoice choice;
   if (word == "fronts") {
     choice.sides_ = Sides::kFronts;
     return choice;
   }
-  const bool is_of_backs = word.ends_with(kBack);
-  if (is_of_backs) choice.sides_ = Sides::kBacks;
-  choice.surfaces_ = surfaces_matching(scene, is_of_backs ? word.substr(0, word.size() - kBack.size()) : word);
+  const SideName side = side_named(word);
+  if (side.is_back) choice.sides_ = Sides::kBacks;
+  choice.surfaces_ = surfaces_matching(scene, side.name);
   if (granularity == Granularity::kGroup) choice.surfaces_ = with_their_groups(scene, choice.surfaces_);
   return choice;
 }

@@ -50,13 +50,13 @@ std::vector<std::uint32_t> surfaces_matching(const SceneTable& scene, const std:
 
 Face face_of(const SceneTable& scene, const std::string& name) {
   if (const auto surface = scene.find(name)) return {*surface, false};
-  if (name.ends_with(":back"))
-    if (const auto surface = scene.find(name.substr(0, name.size() - 5))) return {*surface, true};
+  const SideName side = side_named(name);
+  if (const auto surface = scene.find(side.name); surface && side.is_back) return {*surface, true};
   throw UnknownName("no face of " + scene.file + " is called '" + name + "'", name, names_of(scene, true));
 }
 
 std::string face_name(const SceneTable& scene, const Face& face) {
-  return scene.surfaces[face.surface].name + (face.is_back ? ":back" : "");
+  return side_text({scene.surfaces[face.surface].name, face.is_back});
 }
 
 std::string names_text(const SceneTable& scene, const std::vector<std::uint32_t>& surfaces) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/element_tree.h"
+#include "geometry/face.h"
 #include "geometry/light.h"
 #include "geometry/material.h"
 #include "kernel/support/failure.h"
@@ -65,11 +66,7 @@ struct Surface {
 
 // What patches lie on: the fronts or the backs of the surface of that name, or of the surfaces of the group of that
 // name that do not lie on it themselves (PatchBases).
-struct PatchBase {
-  std::string name;
-  bool is_back = false;
-  friend bool operator==(const PatchBase&, const PatchBase&) = default;
-};
+using PatchBase = SideName;
 
 // What is behind the backs of a group.
 enum class Behind : unsigned char {

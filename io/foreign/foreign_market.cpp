@@ -6,6 +6,7 @@
 #include "io/foreign/foreign_file.h"
 #include "io/foreign/foreign_number.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/lower_case.h"
 
 namespace hottel {
 namespace {
@@ -13,13 +14,6 @@ namespace {
 struct MarketHead {
   bool is_array = false, is_symmetric = false;
 };
-
-std::string lower_case(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
 
 MarketHead read_head(const std::string& file, std::string_view line) {
   ForeignWords words(line);

@@ -1,23 +1,17 @@
 #include "io/foreign/oriented_points.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 
 #include "geometry/name.h"
 #include "io/foreign/csv_reader.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/lower_case.h"
 
 namespace hottel {
 namespace {
 
 constexpr CsvDialect kPointsDialect{.trims = true};
-
-std::string lower_case(std::string_view word) {
-  std::string result(word);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
 
 std::string joined(const std::vector<std::string_view>& fields) {
   std::string line;

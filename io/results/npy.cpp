@@ -38,65 +38,61 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-}  // namespace
-
-std::string illumination_sidecar(const GridRegion& region, const std::vector<std::string>& channels,
-                                 std::string_view way) {
-  Json sidecar;
-  sidecar["quantity"] = way == "inverse-square" ? "sum of B H / r^2" : "mean irradiance";
-  sidecar["illumination"] = way;
-  sidecar["shape"] = {region.ny, region.nx, channels.size()};
-  sidecar["order"] = "C";
-  sidecar["axes"] = {"y", "x", "channel"};
-  sidecar["region"]["min"] = region.min;
-  sidecar["region"]["max"] = region.max;
-  sidecar["channels"] = channels;
-  return sidecar.dump(2) + "\n";
-}
-
-namespace {
-
-void add_region(const PlanarRegion& region, Json& sidecar) {
-  sidecar["region"]["origin"] = region.origin;
-  sidecar["region"]["u"] = region.u;
-  sidecar["region"]["v"] = region.v;
-}
-
-}  // namespace
-
-std::string illumination_sidecar(const PlanarRegion& region, const std::vector<std::string>& channels) {
-  Json sidecar;
-  sidecar["quantity"] = "mean irradiance";
-  sidecar["illumination"] = "point";
-  sidecar["shape"] = {region.nv, region.nu, channels.size()};
-  sidecar["order"] = "C";
-  sidecar["axes"] = {"v", "u", "channel"};
-  add_region(region, sidecar);
-  sidecar["channels"] = channels;
-  return sidecar.dump(2) + "\n";
-}
-
-std::string shown_sidecar(const PlanarRegion& region, const std::string& quantity, const std::string& unit) {
-  Json sidecar;
-  sidecar["quantity"] = quantity;
-  sidecar["unit"] = unit;
-  sidecar["shape"] = {region.nv, region.nu};
-  sidecar["order"] = "C";
-  sidecar["axes"] = {"v", "u"};
-  add_region(region, sidecar);
-  return sidecar.dump(2) + "\n";
-}
-
-std::string shown_sidecar(const GridRegion& region, const std::string& quantity, const std::string& unit) {
-  Json sidecar;
-  sidecar["quantity"] = quantity;
-  sidecar["unit"] = unit;
+void add_shape(const GridRegion& region, Json& sidecar) {
   sidecar["shape"] = {region.ny, region.nx};
   sidecar["order"] = "C";
   sidecar["axes"] = {"y", "x"};
   sidecar["region"]["min"] = region.min;
   sidecar["region"]["max"] = region.max;
+}
+
+void add_shape(const PlanarRegion& region, Json& sidecar) {
+  sidecar["shape"] = {region.nv, region.nu};
+  sidecar["order"] = "C";
+  sidecar["axes"] = {"v", "u"};
+  sidecar["region"]["origin"] = region.origin;
+  sidecar["region"]["u"] = region.u;
+  sidecar["region"]["v"] = region.v;
+}
+
+template <class Region>
+std::string sidecar_of_light(const Region& region, const std::vector<std::string>& channels, std::string_view way) {
+  Json sidecar;
+  sidecar["quantity"] = way == "inverse-square" ? "sum of B H / r^2" : "mean irradiance";
+  sidecar["illumination"] = way;
+  add_shape(region, sidecar);
+  sidecar["shape"].push_back(channels.size());
+  sidecar["axes"].push_back("channel");
+  sidecar["channels"] = channels;
   return sidecar.dump(2) + "\n";
+}
+
+template <class Region>
+std::string sidecar_of_values(const Region& region, const std::string& quantity, const std::string& unit) {
+  Json sidecar;
+  sidecar["quantity"] = quantity;
+  sidecar["unit"] = unit;
+  add_shape(region, sidecar);
+  return sidecar.dump(2) + "\n";
+}
+
+}  // namespace
+
+std::string illumination_sidecar(const GridRegion& region, const std::vector<std::string>& channels,
+                                 std::string_view way) {
+  return sidecar_of_light(region, channels, way);
+}
+
+std::string illumination_sidecar(const PlanarRegion& region, const std::vector<std::string>& channels) {
+  return sidecar_of_light(region, channels, "point");
+}
+
+std::string shown_sidecar(const GridRegion& region, const std::string& quantity, const std::string& unit) {
+  return sidecar_of_values(region, quantity, unit);
+}
+
+std::string shown_sidecar(const PlanarRegion& region, const std::string& quantity, const std::string& unit) {
+  return sidecar_of_values(region, quantity, unit);
 }
 
 }  // namespace hottel

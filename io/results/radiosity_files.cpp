@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "geometry/face.h"
 #include "geometry/scene_names.h"
 #include "io/results/csv_field.h"
 #include "io/results/short_digits.h"
@@ -59,7 +60,9 @@ NetFluxes::NetFluxes(const SceneTable& scene, const ExchangeMatrix& matrix, cons
       shining);
   groups = net_flux(
       matrix, solution, scene.sky_emission,
-      [&](const Element& e) { return scene.groups[scene.surfaces[e.surface].group].name + (e.is_back ? ":back" : ""); },
+      [&](const Element& e) {
+        return side_text({scene.groups[scene.surfaces[e.surface].group].name, e.is_back});
+      },
       shining);
   lights = light_flux(shining, solution.channels.size());
   channel_names = solution.channel_names;

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "geometry/face.h"
 #include "geometry/scene_names.h"
 #include "io/results/csv_field.h"
 #include "io/results/short_digits.h"
@@ -56,7 +57,7 @@ std::vector<FoundTemperatures> groups_of(const SceneTable& scene, const Exchange
     if (!matrix.has_row(i)) continue;
     const Element& element = matrix.elements()[i];
     if (!is_wanted(scene.materials[*element.material])) continue;
-    std::string name = scene.groups[scene.surfaces[element.surface].group].name + (element.is_back ? ":back" : "");
+    std::string name = side_text({scene.groups[scene.surfaces[element.surface].group].name, element.is_back});
     const auto [known, is_new] = place_of.emplace(std::move(name), result.size());
     const std::size_t first = solution.channels.size() == 2 ? kThermalBand : 0;
     for (std::size_t c = first; c < solution.channels.size(); ++c) {

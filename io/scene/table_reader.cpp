@@ -257,7 +257,7 @@ std::uint32_t TableReader::base_of(const JsonValue& on, const SceneEntry& entry)
   const std::string name = read_string(on, {entry.owner, "on"});
   if (const auto [place, is_new] = base_index_.emplace(name, static_cast<std::uint32_t>(table_.bases.size())); !is_new)
     return place->second;
-  table_.bases.push_back(patch_base(name));
+  table_.bases.push_back(side_named(name));
   return static_cast<std::uint32_t>(table_.bases.size()) - 1;
 }
 

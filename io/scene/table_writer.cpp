@@ -8,6 +8,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "geometry/face.h"
 #include "geometry/grey_temperature.h"
 #include "geometry/patch_bases.h"
 #include "io/scene/exact_decimal.h"
@@ -225,7 +226,7 @@ std::string surface_members(const SceneTable& table, const Surface& surface) {
     text += behind == Behind::kSolid ? ", \"behind\": \"solid\"" : ", \"behind\": \"open\"";
   if (const std::string& body = table.groups[surface.group].body; !body.empty())
     text += ", \"body\": " + json_string(body);
-  if (surface.on) text += ", \"on\": " + json_string(base_name(table.bases[*surface.on]));
+  if (surface.on) text += ", \"on\": " + json_string(side_text(table.bases[*surface.on]));
   if (surface.elements != 1) text += fmt::format(", \"elements\": {}", surface.elements);
   return text;
 }

@@ -244,7 +244,7 @@ TEST(KeptFactors, OfARunThatIsEndedServeTheNextOne) {
 TEST(KeptFactors, OfThePlaneLeaveNoSumsBehind) {
   const StoreFile file;
   Scene2 scene = plane_scene("showcase/museum.json");
-  divide(scene, 3);
+  divide(scene, 9);  // so many that none is done before it is ended
   SimulationRequest2 request{.granularity = Granularity::kElement};
   request.store = file.open();
   begin_factors(Simulation2(scene, request), 0.3);

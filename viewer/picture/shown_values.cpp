@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string_view>
 #include <utility>
@@ -224,6 +225,13 @@ ShownValues shown_values(const Shown& shown, const SceneTable& scene, const Exch
   result.name = name_of(shown, solution);
   result.unit = shown.quantity == Quantity::kFactor ? "1" : shown.quantity == Quantity::kTemperature ? "K" : unit;
   result.title = title_of(result);
+  return result;
+}
+
+std::vector<double> ShownValues::numbers() const {
+  std::vector<double> result;
+  for (const std::optional<double>& value : elements)
+    result.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
   return result;
 }
 

@@ -52,6 +52,9 @@ struct ShownValues {
   ColourScale scale;                            // from the least value to the largest, or as asked
   std::string title;                            // of the scale, with unit and range: "irradiance [W/m²]: 1.2 to 34.5"
   std::string name, unit;                       // "irradiance", "W/m²"; "1" where there is none
+
+  // The values of elements, NaN where there is none.
+  std::vector<double> numbers() const;
 };
 
 // Returns the values of a quantity that is not the light.

@@ -6,6 +6,7 @@
 #include "geometry/plane/arrangement/hilbert_order.h"
 #include "geometry/plane/arrangement/point_index.h"
 #include "geometry/plane/scene/division.h"
+#include "geometry/plane/scene/patches.h"
 #include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
 
@@ -30,14 +31,6 @@ std::vector<Segment2> number_in_space(const std::vector<Edge2>& edges, PointInde
       segments[i / 2].b = index.insert(edge.to);
   }
   return segments;
-}
-
-bool is_shorter(const Scene2& scene, const Face& a, const Face& b) {
-  const auto squared_length = [&](const Face& face) -> Rational {
-    const auto& [from, to] = scene.edges[face.surface];
-    return (to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y);
-  };
-  return squared_length(a) < squared_length(b);
 }
 
 std::string text(const Point2& p) { return "(" + to_string(p.x) + ", " + to_string(p.y) + ")"; }
@@ -236,8 +229,7 @@ void Arrangement2::refuse_conflict(const Scene2& scene, PieceSideId side, const 
       {"materials '" + owner.material->name + "' and '" + rival->material->name + "', on the " +
            (is_right(side) ? "right" : "left") + " of that piece",
        "give both the same material, or take one of the surfaces away",
-       patch_hint(scene, is_shorter(scene, owner.face, rival->face) ? owner.face : rival->face,
-                  is_shorter(scene, owner.face, rival->face) ? rival->face : owner.face)});
+       shorter_patch_hint(scene, owner.face, rival->face)});
 }
 
 Arrangement2 Arrangement2::restricted_to(const std::vector<std::uint32_t>& kept) const {

@@ -7,7 +7,6 @@
 #include "geometry/name.h"
 #include "geometry/patch_bases.h"
 #include "geometry/plane/check/wording.h"
-#include "geometry/plane/scene/closest_point.h"
 #include "geometry/plane/scene/patches.h"
 
 namespace hottel {
@@ -118,15 +117,7 @@ class ContactTeller {
                      name(owner.face), name(rival.face), is_right ? "right" : "left", place_text(from), place_text(to),
                      quoted_name(owner.material->name), quoted_name(rival.material->name)),
          "give both the same material, or take one of the surfaces away there; " +
-             patch_hint_of(owner.face, rival.face)});
-  }
-
-  // Of two faces that of the shorter surface may be a patch on the other.
-  std::string patch_hint_of(const Face& a, const Face& b) const {
-    const auto squared = [this](const Face& face) {
-      return squared_distance(scene_.edges[face.surface].from, scene_.edges[face.surface].to);
-    };
-    return squared(a) < squared(b) ? patch_hint(scene_, a, b) : patch_hint(scene_, b, a);
+             shorter_patch_hint(scene_, owner.face, rival.face)});
   }
 
   static bool is_solid(const OverlapSide2& side) { return side.solid != Solids2::kNone; }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "geometry/face.h"
 #include "geometry/plane/scene/division.h"
 #include "geometry/scene_names.h"
 #include "kernel/support/failure.h"
@@ -43,7 +44,7 @@ ElementTable2::ElementTable2(const Scene2& scene, const Arrangement2& arrangemen
         // Both labels of a group are made with its first surface, so that front stands before back.
         if (group_label[back][surface.group] == std::numeric_limits<std::uint32_t>::max()) {
           group_label[back][surface.group] = count();
-          elements_.push_back({scene.groups[surface.group].name + (back ? ":back" : ""), s, 0, 1, back, material, {}});
+          elements_.push_back({side_text({scene.groups[surface.group].name, back}), s, 0, 1, back, material, {}});
         } else if (material) {
           elements_[group_label[back][surface.group]].material = material;
         }

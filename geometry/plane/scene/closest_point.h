@@ -14,6 +14,11 @@ inline Rational squared_distance(const Point2& a, const Point2& b) {
   return dx * dx + dy * dy;
 }
 
+// True iff both ends of an edge are on the line of another one.
+inline bool is_on_line(const Edge2& line, const Edge2& edge) {
+  return doubled_area(line.from, line.to, edge.from) == 0 && doubled_area(line.from, line.to, edge.to) == 0;
+}
+
 // Returns the position on the edge's line of the foot of the perpendicular from p: 0 at the first point, 1 at the
 // second. Of a point on the line, point_at(edge, position_on(edge, p)) == p. REQUIRES: edge.from != edge.to.
 inline Rational position_on(const Edge2& edge, const Point2& p) {

@@ -20,15 +20,11 @@ Rational dot(const Edge2& a, const Edge2& b) {
   return (a.to.x - a.from.x) * (b.to.x - b.from.x) + (a.to.y - a.from.y) * (b.to.y - b.from.y);
 }
 
-Rational squared_length(const Edge2& edge) { return dot(edge, edge); }
+Rational squared_length(const Edge2& edge) { return squared_distance(edge.from, edge.to); }
 
 Rational squared_distance_to_line(const Edge2& edge, const Point2& p) {
   const Rational area = doubled_area(edge.from, edge.to, p);
   return area * area / squared_length(edge);
-}
-
-bool is_on_line(const Edge2& line, const Edge2& edge) {
-  return doubled_area(line.from, line.to, edge.from) == 0 && doubled_area(line.from, line.to, edge.to) == 0;
 }
 
 // An edge that a patch may lie on, and how far off its line the farther end of the patch is.
@@ -205,8 +201,7 @@ class Judge {
 
  private:
   [[noreturn]] void refuse(std::uint32_t patch, const std::string& what, const std::string& remedy) const {
-    throw InputError({scene_.file, scene_.surfaces[patch].line}, quoted_name(scene_.surfaces[patch].name) + " " + what,
-                     {remedy});
+    refuse_patch(scene_, patch, what, remedy);
   }
   std::string base(std::uint32_t patch) const { return base_text(scene_.bases[*scene_.surfaces[patch].on]); }
 
@@ -214,7 +209,7 @@ class Judge {
     const std::vector<Support> supports = bases_.supports(patch, Near::kYes);
     const auto on_line = std::ranges::find_if(supports, [](const Support& s) { return s.squared_off == 0; });
     if (on_line == supports.end()) refuse_off(patch, bases_.supports(patch, Near::kNo));
-    if (!on_line->looks_alike) refuse_turned(patch);
+    if (!on_line->looks_alike) refuse_turned_patch(scene_, patch);
     const Edge2& edge = scene_.edges[patch];
     Rational reached = 0;
     for (const auto& [low, high] : bases_.covered(patch, edge)) {
@@ -224,12 +219,6 @@ class Judge {
       if (reached >= 1) return;
     }
     refuse_beyond(patch, reached, 1);
-  }
-
-  void refuse_turned(std::uint32_t patch) const {
-    const PatchBase& on = scene_.bases[*scene_.surfaces[patch].on];
-    refuse(patch, "looks the other way than " + base(patch) + ", on which it lies",
-           "list its points in the other order, or say that it is on '" + on.name + (on.is_back ? "" : ":back") + "'");
   }
 
   void refuse_beyond(std::uint32_t patch, const Rational& from, const Rational& to) const {

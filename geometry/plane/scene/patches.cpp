@@ -8,14 +8,6 @@
 #include "geometry/plane/scene/closest_point.h"
 
 namespace hottel {
-namespace {
-
-bool is_on_line(const Edge2& line, const Edge2& edge) {
-  return doubled_area(line.from, line.to, edge.from) == 0 && doubled_area(line.from, line.to, edge.to) == 0;
-}
-
-}  // namespace
-
 PatchCarriers2::PatchCarriers2(const Scene2& scene) : scene_(&scene), bases_(scene) {
   if (bases_.is_empty()) return;
   for (const Edge2& edge : scene.edges) boxes_.emplace_back(edge);
@@ -56,6 +48,14 @@ std::vector<std::uint32_t> PatchCarriers2::of(std::uint32_t patch) const {
 std::vector<std::uint32_t> patches_on(const Scene2& scene, const std::vector<std::uint32_t>& surfaces) {
   const PatchCarriers2 carriers(scene);
   return carriers.bases().resting_on(surfaces, [&](std::uint32_t patch) { return carriers.of(patch); });
+}
+
+std::string shorter_patch_hint(const Scene2& scene, const Face& a, const Face& b) {
+  const auto squared_length = [&](const Face& face) {
+    const Edge2& edge = scene.edges[face.surface];
+    return squared_distance(edge.from, edge.to);
+  };
+  return squared_length(a) < squared_length(b) ? patch_hint(scene, a, b) : patch_hint(scene, b, a);
 }
 
 std::optional<BareScene2> without_patches(const Scene2& scene) {

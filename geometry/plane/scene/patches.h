@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/patch_bases.h"
@@ -37,6 +38,9 @@ class PatchCarriers2 {
 
 // Returns the patches that lie on some surfaces somewhere, and those on them, ascending.
 std::vector<std::uint32_t> patches_on(const Scene2& scene, const std::vector<std::uint32_t>& surfaces);
+
+// Returns patch_hint of two faces: the shorter one may be a patch on the other.
+std::string shorter_patch_hint(const Scene2& scene, const Face& a, const Face& b);
 
 // A scene without its patches: surface_of[s] is the surface of the first scene that surface s is.
 struct BareScene2 {

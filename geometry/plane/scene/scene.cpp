@@ -2,23 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/number.h"
-
 namespace hottel {
-namespace {
-
-bool has_lowest_terms(const Point2& point) { return is_in_lowest_terms(point.x) && is_in_lowest_terms(point.y); }
-
-}  // namespace
-
-std::string grid_problem(const Grid2& grid) {
-  if (!has_lowest_terms(grid.min) || !has_lowest_terms(grid.max)) return "a coordinate is not in lowest terms";
-  if (grid.max.x <= grid.min.x || grid.max.y <= grid.min.y) return "max must be greater than min in both coordinates";
-  const auto is_count = [](std::uint32_t cells) { return cells >= 1 && cells <= kMaxGridCells; };
-  if (!is_count(grid.nx) || !is_count(grid.ny))
-    return "cells must be integers from 1 to " + std::to_string(kMaxGridCells);
-  return "";
-}
 
 void Scene2::keep(const std::vector<std::uint32_t>& which) {
   Scene2 kept;

@@ -225,7 +225,7 @@ void SceneBuilder2::put_on(Surface& surface, const std::string& owner, const std
     Reader(scene_.file)
         .refuse(owner + " lies on another surface: it makes nothing solid, and says nothing of what is behind");
   surface.on = static_cast<std::uint32_t>(scene_.bases.size());
-  scene_.bases.push_back(patch_base(base));
+  scene_.bases.push_back(side_named(base));
 }
 
 }  // namespace hottel

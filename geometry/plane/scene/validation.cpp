@@ -35,6 +35,15 @@ std::string place_problem(const Scene2& scene, const Light& light, const LightPl
 
 }  // namespace
 
+std::string grid_problem(const Grid2& grid) {
+  if (!has_lowest_terms(grid.min) || !has_lowest_terms(grid.max)) return "a coordinate is not in lowest terms";
+  if (grid.max.x <= grid.min.x || grid.max.y <= grid.min.y) return "max must be greater than min in both coordinates";
+  const auto is_count = [](std::uint32_t cells) { return cells >= 1 && cells <= kMaxGridCells; };
+  if (!is_count(grid.nx) || !is_count(grid.ny))
+    return "cells must be integers from 1 to " + std::to_string(kMaxGridCells);
+  return "";
+}
+
 void validate(const Scene2& scene) {
   HOTTEL_REQUIRE(scene.edges.size() == scene.surfaces.size());
   validate_table(scene);

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "geometry/face.h"
 #include "geometry/scene_names.h"
 #include "geometry/space/arrangement/whole_patch.h"
 #include "geometry/space/exchange/area_sum.h"
@@ -238,8 +239,7 @@ void ElementTable3::add_groups(const Scene3& scene, const Arrangement3& arrangem
     for (const bool is_back : {false, true}) {
       const std::optional<std::uint32_t> material = surface.material_of(is_back);
       if (is_new)
-        elements_.push_back(
-            {scene.groups[surface.group].name + (is_back ? ":back" : ""), s, 0, 1, is_back, material, {}});
+        elements_.push_back({side_text({scene.groups[surface.group].name, is_back}), s, 0, 1, is_back, material, {}});
       else if (material)
         elements_[label + is_back].material = material;
       const Face face{s, is_back};

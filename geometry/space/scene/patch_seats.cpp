@@ -212,8 +212,7 @@ class Judge {
 
  private:
   [[noreturn]] void refuse(std::uint32_t patch, const std::string& what, const std::string& remedy) const {
-    const Surface& surface = scene_.surfaces[patch];
-    throw InputError(place_of(scene_, surface), quoted_name(surface.name) + " " + what, {remedy});
+    refuse_patch(scene_, patch, what, remedy);
   }
   std::string base(std::uint32_t patch) const { return base_text(scene_.bases[*scene_.surfaces[patch].on]); }
 
@@ -222,7 +221,7 @@ class Judge {
     const auto in_plane = std::ranges::find_if(supports, [](const Support& s) { return s.squared_off == 0; });
     if (in_plane == supports.end() || scene_.polygons[patch].is_nearly_plane)
       refuse_off(patch, bases_.supports(patch, Near::kNo));
-    if (!in_plane->looks_alike) refuse_turned(patch);
+    if (!in_plane->looks_alike) refuse_turned_patch(scene_, patch);
     judge_extent(patch, *in_plane->facet);
   }
 
@@ -253,12 +252,6 @@ class Judge {
                (is_bent ? " in its plane" : ""),
            is_bent ? "that is bent a little: give its points more digits, or make a patch of each of its planes"
                    : "make it smaller, or make a surface without \"on\" of what is beyond");
-  }
-
-  void refuse_turned(std::uint32_t patch) const {
-    const PatchBase& on = scene_.bases[*scene_.surfaces[patch].on];
-    refuse(patch, "looks the other way than " + base(patch) + ", on which it lies",
-           "list its points in the other order, or say that it is on '" + on.name + (on.is_back ? "" : ":back") + "'");
   }
 
   void refuse_off(std::uint32_t patch, const std::vector<Support>& supports) const {

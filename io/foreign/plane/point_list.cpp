@@ -9,6 +9,7 @@
 #include "io/scene/plane/map_position.h"
 #include "io/scene/plane/well_known_text.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/lower_case.h"
 #include "kernel/support/trimmed.h"
 
 namespace hottel {
@@ -18,12 +19,6 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kBlanks = " \t\r\n";
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-
-std::string upper_case(std::string_view word) {
-  std::string result(word);
-  for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return result;
-}
 
 // ---- csv
 
@@ -37,7 +32,7 @@ std::vector<Point2> points_of_csv(std::string_view text, const std::string& name
       throw InputError(reader.where(), "a point has two coordinates x,y, not " + std::to_string(fields.size()),
                        {"points with normals, which may be in space, have the first line x,y,nx,ny or x,y,z,nx,ny,nz"});
     const std::string_view x = trimmed(fields[0], kBlanks), y = trimmed(fields[1], kBlanks);
-    if (is_first && upper_case(x) == "X" && upper_case(y) == "Y") continue;
+    if (is_first && lower_case(x) == "x" && lower_case(y) == "y") continue;
     points.push_back({coordinate_of_2(x, reader.where()), coordinate_of_2(y, reader.where())});
   }
   return points;

@@ -90,7 +90,7 @@ std::string characters(const std::string& text) {
   return result + "0";
 }
 
-// What is told of the cells.
+// Writes the arrays that have a value for each cell.
 class CellData {
  public:
   CellData(const Cells& cells, const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,

@@ -339,7 +339,7 @@ class SvgReader {
   }
 
   std::uint32_t base(const std::string& name) {
-    const PatchBase wanted = patch_base(name);
+    const PatchBase wanted = side_named(name);
     const auto found = std::ranges::find(scene_.bases, wanted);
     const auto index = static_cast<std::uint32_t>(found - scene_.bases.begin());
     if (found == scene_.bases.end()) scene_.bases.push_back(wanted);

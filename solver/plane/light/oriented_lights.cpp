@@ -51,44 +51,35 @@ std::array<double, 2> unit_normal(const Point2& normal) {
 
 OrientedLights2::OrientedLights2(std::shared_ptr<const PreparedScene2> prepared, Granularity granularity,
                                  const RadiositySolution& solution)
-    : OrientedLights2(prepared, ElementTable2(prepared->scene, prepared->arrangement, prepared->division, granularity),
-                      granularity, solution) {}
-
-OrientedLights2::OrientedLights2(std::shared_ptr<const PreparedScene2> prepared, const ElementTable2& table,
-                                 Granularity granularity, const RadiositySolution& solution)
-    : prepared_(std::move(prepared)),
-      location_(prepared_->arrangement.vertices(), prepared_->arrangement.triangulation()),
-      around_(prepared_, granularity, solution),
-      columns_(prepared_->arrangement, table),
-      sent_out_(sent_out_2(table, solution, prepared_->scene)),
-      lit_(*prepared_) {}
+    : around_(std::move(prepared), granularity, solution),
+      location_(around_.prepared().arrangement.vertices(), around_.prepared().arrangement.triangulation()) {}
 
 OrientedLight OrientedLights2::at(const Point2& point, const Point2& normal) const {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  const Vertices2& vertices = prepared_->arrangement.vertices();
+  const Vertices2& vertices = around_.prepared().arrangement.vertices();
   const Point2 place = vertices.from_scene(point);
   const Eye2 eye(vertices, place);
   View2 view;
   const Location2 location = location_.look_around(eye, view);
-  OrientedLight light{std::vector(sent_out_.channels(), kNaN), around_.at(eye, location, view), kNaN};
+  OrientedLight light{std::vector(around_.sent_out().channels(), kNaN), around_.at(eye, location, view), kNaN};
   if (std::isnan(light.mean_irradiance[0])) return light;
   const std::array<double, 2> unit = unit_normal(normal);
   see(eye, view, unit, light);
-  lit_.add_facing(eye, unit, light.irradiance);
+  around_.lit().add_facing(eye, unit, light.irradiance);
   return light;
 }
 
 void OrientedLights2::see(const Eye2& eye, const View2& view, const std::array<double, 2>& normal,
                           OrientedLight& light) const {
-  const Vertices2& vertices = prepared_->arrangement.vertices();
+  const Vertices2& vertices = around_.prepared().arrangement.vertices();
   std::ranges::fill(light.irradiance, 0.0);
   light.sky_view_factor = 0;
   const auto add = [&](PieceSideId side, double factor) {
     if (side == kSky) light.sky_view_factor += factor;
-    const LightColumns2::Code code = columns_.of(side);
+    const LightColumns2::Code code = around_.columns().of(side);
     if (code.is_black()) return;
-    for (std::uint32_t c = 0; c < sent_out_.channels(); ++c)
-      light.irradiance[c] += factor * sent_out_.of(code.column(), c);
+    for (std::uint32_t c = 0; c < around_.sent_out().channels(); ++c)
+      light.irradiance[c] += factor * around_.sent_out().of(code.column(), c);
   };
   const auto& seen = view.seen;
   if (seen.size() < 2) return add(seen.empty() ? kSky : seen[0].behind, 1);

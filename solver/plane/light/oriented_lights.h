@@ -8,10 +8,7 @@
 #include "geometry/plane/point.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "solver/plane/light/illumination_grid.h"
-#include "solver/plane/light/light_columns.h"
-#include "solver/plane/light/lit_region.h"
 #include "solver/plane/light/point_lights.h"
-#include "solver/plane/light/sent_out.h"
 #include "solver/radiosity/oriented_light.h"
 
 namespace hottel {
@@ -33,16 +30,10 @@ class OrientedLights2 {
   OrientedLight at(const Point2& point, const Point2& normal) const;
 
  private:
-  OrientedLights2(std::shared_ptr<const PreparedScene2> prepared, const ElementTable2& table, Granularity granularity,
-                  const RadiositySolution& solution);
   void see(const Eye2& eye, const View2& view, const std::array<double, 2>& normal, OrientedLight& light) const;
 
-  std::shared_ptr<const PreparedScene2> prepared_;
-  PointLocation2 location_;
   PointLights2 around_;
-  LightColumns2 columns_;
-  SentOut2 sent_out_;
-  LitRegions2 lit_;
+  PointLocation2 location_;
 };
 
 // Returns what the centres of cells get of all directions, as OrientedLight tells it of none in particular: in place of

@@ -23,6 +23,11 @@ class PointLights2 {
                const RadiositySolution& solution);
 
   const std::vector<std::string>& channel_names() const { return channel_names_; }
+  const PreparedScene2& prepared() const { return *prepared_; }
+  // What it is summed of.
+  const LightColumns2& columns() const { return columns_; }
+  const SentOut2& sent_out() const { return sent_out_; }
+  const LitRegions2& lit() const { return *lit_; }
   // By channel. REQUIRES the location and the view of the eye. COST: one arc tangent for each element seen.
   std::vector<double> at(const Eye2& eye, const Location2& location, const View2& view) const;
   // The same of a point in scene coordinates, which is looked around from. REQUIRES the location in this scene.

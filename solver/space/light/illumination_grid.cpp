@@ -12,6 +12,13 @@
 
 namespace hottel {
 
+Point3 cell_centre(const Grid3& grid, std::size_t cell) {
+  const Rational s = Rational(2 * (cell % grid.nu) + 1) / Rational(2 * std::size_t{grid.nu});
+  const Rational t = Rational(2 * (cell / grid.nu) + 1) / Rational(2 * std::size_t{grid.nv});
+  return {grid.origin.x + s * grid.u.x + t * grid.v.x, grid.origin.y + s * grid.u.y + t * grid.v.y,
+          grid.origin.z + s * grid.u.z + t * grid.v.z};
+}
+
 IlluminationGrid3 illuminate_points(const PreparedScene3& prepared, Granularity granularity,
                                     const RadiositySolution& solution, const Grid3& grid,
                                     const std::function<void(double)>& progress) {
@@ -25,10 +32,7 @@ IlluminationGrid3 illuminate_points(const PreparedScene3& prepared, Granularity 
   parallel_for(
       cells,
       [&](std::size_t cell) {
-        const Rational s = Rational(2 * (cell % grid.nu) + 1) / Rational(2 * std::size_t{grid.nu});
-        const Rational t = Rational(2 * (cell / grid.nu) + 1) / Rational(2 * std::size_t{grid.nv});
-        const Point3 centre{grid.origin.x + s * grid.u.x + t * grid.v.x, grid.origin.y + s * grid.u.y + t * grid.v.y,
-                            grid.origin.z + s * grid.u.z + t * grid.v.z};
+        const Point3 centre = cell_centre(grid, cell);
         if (!prepared.arrangement().solids().around(centre)) {
           const std::span<double> here(result.values.data() + cell * result.channels, result.channels);
           sent_out.mean(centre, here);

@@ -28,6 +28,9 @@ struct IlluminationGrid3 {
   }
 };
 
+// Returns the centre of a cell, exactly: cells in the order of IlluminationGrid3.
+Point3 cell_centre(const Grid3& grid, std::size_t cell);
+
 // Returns the mean irradiance at the centre of each cell: 1/4 pi times the integral over all directions of the
 // radiosity seen there, which is the mean over them; and that of lights, I / (4 r^2) where they reach. [unit: that of
 // radiosity]

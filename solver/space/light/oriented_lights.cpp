@@ -6,6 +6,7 @@
 
 #include "kernel/support/parallel.h"
 #include "kernel/support/progress_count.h"
+#include "solver/space/light/illumination_grid.h"
 
 namespace hottel {
 
@@ -38,12 +39,7 @@ std::vector<OrientedLight> oriented_lights_on_grid(const PreparedScene3& prepare
   parallel_for(
       result.size(),
       [&](std::size_t cell) {
-        const Rational s = Rational(2 * (cell % grid.nu) + 1) / Rational(2 * std::size_t{grid.nu});
-        const Rational t = Rational(2 * (cell / grid.nu) + 1) / Rational(2 * std::size_t{grid.nv});
-        result[cell] =
-            lights.at({grid.origin.x + s * grid.u.x + t * grid.v.x, grid.origin.y + s * grid.u.y + t * grid.v.y,
-                       grid.origin.z + s * grid.u.z + t * grid.v.z},
-                      normal);
+        result[cell] = lights.at(cell_centre(grid, cell), normal);
         count.add(1);
       },
       4);
