@@ -5,7 +5,7 @@
 namespace hottel {
 namespace {
 
-constexpr long kUnits = 4, kPartOfDiameter = 10'000, kPlacesOfRounding = 40;
+constexpr long kUnits = 4, kPartOfDiameter = 10'000, kPartOfPatch = 100, kPlacesOfRounding = 40;
 
 }  // namespace
 
@@ -32,6 +32,12 @@ bool is_within_planarity(const Rational& squared_distance, const Rational& squar
   if (squared_distance <= scaled_by_power_of_two(squared_diameter, -2 * kPlacesOfRounding)) return true;
   return squared_distance <= kUnits * kUnits * unit * unit &&
          squared_distance * (kPartOfDiameter * kPartOfDiameter) <= squared_diameter;
+}
+
+bool is_within_seat(const Rational& squared_distance, const Rational& squared_patch, const Rational& squared_base,
+                    const Rational& unit) {
+  return squared_distance * (kPartOfPatch * kPartOfPatch) <= squared_patch &&
+         is_within_planarity(squared_distance, std::max(squared_patch, squared_base), unit);
 }
 
 }  // namespace hottel

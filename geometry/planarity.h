@@ -26,4 +26,10 @@ class FinestDigit {
 // 1e-4 of the diameter. `unit` is what the last digit of the coordinates stands for, 0 where they have none.
 bool is_within_planarity(const Rational& squared_distance, const Rational& squared_diameter, const Rational& unit);
 
+// True iff a patch of one diameter may be put onto a base of another one from so far off: within the planarity of the
+// larger of the two, for a narrow window on a wall typed to four digits is off as the wall is; and by at most a
+// hundredth of the patch, which then turns by half a degree at most.
+bool is_within_seat(const Rational& squared_distance, const Rational& squared_patch, const Rational& squared_base,
+                    const Rational& unit);
+
 }  // namespace hottel

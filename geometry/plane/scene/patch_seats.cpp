@@ -125,9 +125,9 @@ class Seater {
   }
 
  private:
-  // Whether something is near enough by the length of a patch or of the edge that it is put on.
+  // Whether something is near enough for a patch and the edge that it is put on.
   bool is_near(std::uint32_t patch, const Edge2& line, const Rational& squared_distance) const {
-    return is_within_planarity(squared_distance, std::max(squared_length(typed_[patch]), squared_length(line)), unit_);
+    return is_within_seat(squared_distance, squared_length(typed_[patch]), squared_length(line), unit_);
   }
 
   void seat(std::uint32_t patch) {

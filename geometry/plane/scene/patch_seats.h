@@ -5,9 +5,9 @@
 
 namespace hottel {
 
-// Puts patches onto what they lie on: their ends onto the line of the base, exactly, where both are within the
-// planarity tolerance of it (is_within_planarity, by the longer of the two); and what then is beyond an end of the
-// base by no more than that onto the end. Pieces of a polyline that followed each other do so after.
+// Puts patches onto what they lie on: their ends onto the line of the base, exactly, where both are near enough to it
+// (is_within_seat, by the lengths of the two); and what then is beyond an end of the base by no more than that onto the
+// end. Pieces of a polyline that followed each other do so after.
 //
 //   (1) a patch whose ends lie on the line of its base and within it stays as it is; so does one that is farther off
 //   (2) patches on patches come after what they lie on

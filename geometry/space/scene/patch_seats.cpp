@@ -155,10 +155,10 @@ class Seater {
  private:
   void seat(std::uint32_t patch) {
     Polygon3& polygon = scene_.polygons[patch];
-    const Rational own_diameter = squared_diameter(corners_of(polygon));
+    const Rational own = squared_diameter(corners_of(polygon));
     for (const Support& support : bases_.supports(patch, Near::kYes)) {
-      const Rational diameter = std::max(own_diameter, squared_diameter(support.facet->polygon.points));
-      if (!is_within_planarity(support.squared_off, diameter, unit_)) continue;
+      const Rational base = squared_diameter(support.facet->polygon.points);
+      if (!is_within_seat(support.squared_off, own, base, unit_)) continue;
       for_each_corner(polygon, [&](Point3& corner) {
         if (support.squared_off != 0) corner = support.facet->projected(corner);
       });
@@ -167,7 +167,7 @@ class Seater {
       const std::vector<const Facet*> facets = bases_.beside(patch, *support.facet);
       for_each_corner(polygon, [&](Point3& corner) {
         const Point3 on_base = nearest(facets, corner);
-        if (is_within_planarity(square(on_base - corner), diameter, unit_)) corner = on_base;
+        if (is_within_seat(square(on_base - corner), own, base, unit_)) corner = on_base;
       });
       return;
     }

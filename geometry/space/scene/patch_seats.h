@@ -5,9 +5,9 @@
 
 namespace hottel {
 
-// Puts patches onto what they lie on: their corners into the plane of the base, exactly, where all are within the
-// planarity tolerance of it (is_within_planarity, by the larger diameter of the two); and those that then are beside
-// the base by no more than that onto the nearest point of its border.
+// Puts patches onto what they lie on: their corners into the plane of the base, exactly, where all are near enough to
+// it (is_within_seat, by the diameters of the two); and those that then are beside the base by no more than that onto
+// the nearest point of its border.
 //
 //   (1) a patch in the plane of its base and within it stays as it is; so does one that is farther off
 //   (2) a nearly plane base is its facets, each in a plane of its own; a patch lies on one plane

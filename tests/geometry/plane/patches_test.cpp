@@ -233,6 +233,16 @@ TEST(Patches2, AreProjectedWithinTheDigits) {
   EXPECT_TRUE(parse_scene_2(write_scene_2(scene), "scene.json").edges == scene.edges);
 }
 
+// Off by three units as a long base may be, but far for what is itself one unit long. A narrow window is not.
+TEST(Patches2, AreNotProjectedFromFarForTheirSize) {
+  const std::string road = edge("road", "[0,0],[40000,0]", "", "a");
+  EXPECT_THAT(refusal(road + "," + edge("p", "[5,3],[6,3]", on("road")), ""), HasSubstr("(5, 3) is 3 off its line"));
+  EXPECT_EQ(refusal(road + "," + edge("p", "[5,3],[306,3]", on("road")), ""), "");
+  EXPECT_EQ(
+      refusal(edge("wall", "[0,0],[3,1]", "", "a") + "," + edge("slit", "[0.1,0.0333],[0.15,0.05]", on("wall")), ""),
+      "");
+}
+
 TEST(Patches2, GoRoundACornerWithinTheDigits) {
   const Scene2 scene = scene_of("", edge("wall", "[0,0],[3,1],[4,4]", "", "a") + "," +
                                         edge("p", "[2.1,0.70001],[3.00002,0.99999],[3.50001,2.5]", on("wall")));

@@ -217,6 +217,13 @@ TEST(Patches3, AreProjectedWithinTheDigits) {
   EXPECT_TRUE(parse_scene_3(write_scene_3(scene), "scene.json").polygons == scene.polygons);
 }
 
+TEST(Patches3, AreNotProjectedFromFarForTheirSize) {
+  const std::string field = polygon("field", "[0,0,0],[40000,0,0],[40000,40000,0],[0,40000,0]");
+  EXPECT_THAT(refusal(field + "," + polygon("p", "[5,5,3],[6,5,3],[6,6,3],[5,6,3]", on("field"), "b")),
+              HasSubstr("is 3 off its plane"));
+  EXPECT_EQ(refusal(field + "," + polygon("p", "[5,5,3],[306,5,3],[306,6,3],[5,6,3]", on("field"), "b")), "");
+}
+
 TEST(Patches3, LieOnOnePlaneOfABentBase) {
   const std::string bent = "[0,0,0],[1,0,0.000001],[1,1,0],[0,1,0]";
   const std::string inside = "[0.1,0.5,0],[0.3,0.5,0],[0.3,0.7,0],[0.1,0.7,0]";

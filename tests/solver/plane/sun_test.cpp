@@ -1,6 +1,7 @@
 // Suns in the plane: what rays meet first against a slow oracle, lit lengths by hand, borders, grids and turns.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -213,6 +214,56 @@ TEST(Sun2, RaysMeetWhatTheSlowWayMeetsAndPointsAreLitBeforeIt) {
   }
   EXPECT_GT(compared, 1000);
   EXPECT_GT(in_shadow, 300);
+}
+
+// What random suns light of each face is what a ray in each strip between ends and crossings meets, by brute force.
+TEST(Sun2, LitLengthsAreWhatRaysCount) {
+  std::mt19937 random(23);
+  int faces_lit = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    Scene2 scene = random_lattice_scene(seed, 9);
+    const Point2 d{static_cast<int>(random() % 15) - 7, static_cast<int>(random() % 15) - 7};
+    if (d == Point2{0, 0}) continue;
+    std::vector<Rational> borders;
+    const auto across = [&](const Point2& p) { return Rational(d.x * p.y - d.y * p.x); };
+    for (const Edge2& a : scene.edges) {
+      borders.insert(borders.end(), {across(a.from), across(a.to)});
+      for (const Edge2& b : scene.edges) {
+        const Rational from = doubled_area(a.from, a.to, b.from), to = doubled_area(a.from, a.to, b.to);
+        if (from == to) continue;
+        borders.push_back(across(point_at(b, from / (from - to))));
+      }
+    }
+    std::ranges::sort(borders);
+    std::vector<Rational> lit(2 * scene.edges.size());
+    std::vector<char> is_plain(2 * scene.edges.size(), 1);
+    for (std::size_t k = 0; k + 1 < borders.size(); ++k) {
+      if (borders[k] == borders[k + 1]) continue;
+      const SlowRay ray = slow_ray(scene, d, (borders[k] + borders[k + 1]) / 2);
+      if (!ray.depth) continue;
+      const Edge2& edge = scene.edges[ray.surface];
+      const bool is_back = across(edge.from) < across(edge.to);  // fronts look to the right
+      const std::size_t face = 2 * ray.surface + (is_back ? 1 : 0);
+      lit[face] += borders[k + 1] - borders[k];
+      // Two on one line: which of them owns it is asked elsewhere.
+      if (!ray.is_plain)
+        for (std::size_t other = 0; other < scene.edges.size(); ++other)
+          if (doubled_area(edge.from, edge.to, scene.edges[other].from) == 0 &&
+              doubled_area(edge.from, edge.to, scene.edges[other].to) == 0)
+            is_plain[2 * other] = is_plain[2 * other + 1] = 0;
+    }
+    const PreparedScene2 prepared = prepare(scene);
+    const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+    const LightShares shares = shares_in(std::move(scene), d);
+    const double length = std::sqrt(to_double(d.x * d.x + d.y * d.y));
+    for (std::uint32_t e = 0; e < table.count(); ++e) {
+      const std::size_t face = 2 * table.elements()[e].surface + (table.elements()[e].is_back ? 1 : 0);
+      if (is_plain[face] == 0) continue;
+      faces_lit += lit[face] > 0;
+      EXPECT_NEAR(shares.of_element[e].lower, to_double(lit[face]) / length, 1e-13) << seed << " " << face;
+    }
+  }
+  EXPECT_GT(faces_lit, 100);
 }
 
 // What is lit is at the border of the shadow, on what the sun shines on, and beyond an end that the ray only touches.

@@ -1,6 +1,7 @@
 // Suns in space: what rays meet first against a slow oracle, lit areas by hand, borders, points and divided elements.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <string>
@@ -252,6 +253,61 @@ TEST(Sun3, RaysMeetWhatBruteForceMeets) {
   }
   EXPECT_GT(compared, 800);
   EXPECT_GT(hit, 200);
+}
+
+// What random suns light of each face, front and back, is what rays count that are followed by brute force from a
+// lattice across them.
+TEST(Sun3, LitAreasAreWhatRaysCount) {
+  constexpr int kAcross = 25;
+  std::mt19937 random(29);
+  const auto draw = [&](int most) { return static_cast<int>(random() % (2 * static_cast<unsigned>(most) + 1)) - most; };
+  int faces_lit = 0;
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    const Vector3 d{draw(5), draw(5), draw(5) - 1};
+    if (d.x == 0 && d.y == 0) continue;
+    std::vector<oracle::SpacePolygon> polygons =
+        seed % 2 == 0 ? oracle::piercing_triangles(seed, 16, 12, 6) : oracle::lattice_room(seed, 3, 2, 1, 1);
+    if (seed % 2 == 1) polygons.erase(polygons.begin(), polygons.begin() + 6);  // without the walls
+    BoxScene3 scene;
+    for (const Polygon3& polygon : oracle::engine_polygons(polygons))
+      scene.polygon("p" + std::to_string(scene.surfaces.size()), polygon, 0, 1);
+    const std::vector<Polygon3> shapes = scene.polygons;
+    const Lit lit_by_sun = lit(std::move(scene), d);
+    // Two axes across the rays, and how far the scene reaches along each.
+    const Vector3 u{d.y, -d.x, 0}, v = cross(d, u);
+    std::array<Rational, 2> low, high;
+    for (const Polygon3& polygon : shapes)
+      for (const Point3& p : polygon.points)
+        for (const auto& [axis, way] : {std::pair(0u, u), std::pair(1u, v)}) {
+          const Rational at = dot(way, p - Point3{0, 0, 0}) / dot(way, way);
+          const bool is_first = &polygon == shapes.data() && &p == polygon.points.data();
+          low[axis] = is_first ? at : std::min(low[axis], at);
+          high[axis] = is_first ? at : std::max(high[axis], at);
+        }
+    std::vector<int> counts(2 * shapes.size());
+    const Vector3 width{(high[0] - low[0]) / kAcross, (high[1] - low[1]) / kAcross, 0};
+    for (int a = 0; a < kAcross; ++a)
+      for (int b = 0; b < kAcross; ++b) {
+        const auto at = [&](int k) -> Rational { return k + Rational(1 + static_cast<int>(random() % 96), 97); };
+        const Rational s = low[0] + width.x * at(a), t = low[1] + width.y * at(b);
+        const oracle::SpacePoint eye{s * u.x + t * v.x - 1000 * d.x, s * u.y + t * v.y - 1000 * d.y,
+                                     s * u.z + t * v.z - 1000 * d.z};
+        const oracle::NearestPolygon nearest = oracle::RayCaster(polygons, eye)({d.x, d.y, d.z});
+        if (!nearest.is_plain || nearest.polygon == oracle::NearestPolygon::kNoPolygon) continue;
+        const auto met = static_cast<std::uint32_t>(nearest.polygon);
+        ++counts[Face{met, dot(doubled_area(shapes[met]), d) > 0}.number()];
+      }
+    const double cell = to_double(width.x * width.y) * std::sqrt(to_double(dot(u, u)) * to_double(dot(v, v)));
+    for (std::size_t k = 0; k < lit_by_sun.elements.size(); ++k) {
+      const Element& element = lit_by_sun.elements[k];
+      const double count = counts[Face{element.surface, element.is_back}.number()];
+      const double share = lit_by_sun.shares.of_element[k].upper / cell;
+      // A ray in each cell: of a cell of which a share p is lit the variance is p (1 - p).
+      EXPECT_NEAR(count, share, 5 * std::sqrt(share) + 2) << seed << " " << element.name;
+      faces_lit += count > 0;
+    }
+  }
+  EXPECT_GT(faces_lit, 40);
 }
 
 // All that is lit of crossing triangles, within the outline of the whole: what one loses another one has.
