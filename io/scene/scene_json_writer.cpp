@@ -80,7 +80,7 @@ class CornerWriter3 {
   explicit CornerWriter3(const Scene3& scene) {
     FinestDigit finest;
     for (const Polygon3& polygon : scene.polygons)
-      if (polygon.is_nearly_plane)
+      if (polygon.is_nearly_plane && polygon.facets.empty())
         for (const Point3& p : corners_of(polygon))
           for (const Rational& x : {p.x, p.y, p.z}) finest.take(digits(x));
     unit_ = finest.unit();

@@ -139,7 +139,7 @@ void tell_needle(const Scene3& scene, std::uint32_t s, Findings3& findings) {
 
 void tell_nearly_plane(const Scene3& scene, std::uint32_t s, Findings3& findings) {
   const Polygon3& polygon = scene.polygons[s];
-  if (!polygon.is_nearly_plane) return;
+  if (!polygon.is_nearly_plane || !polygon.facets.empty()) return;  // what a patch lies on is told
   const Bend3 bend = bend_of(corners_of(polygon));
   findings.push_back({Severity::kNote,
                       "not-plane",

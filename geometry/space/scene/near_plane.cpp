@@ -21,6 +21,7 @@ Rational float_spacing(const Polygon3& polygon, int digits) {
 
 bool accept_nearly_plane(Polygon3& polygon, const Rational& unit) {
   polygon.is_nearly_plane = false;
+  polygon.facets.clear();
   const std::vector<std::vector<Point3>> loops = loops_of(polygon);
   if (std::any_of(loops.begin(), loops.end(), [](const auto& loop) { return loop.size() < 3; })) return false;
   const std::vector<Point3> points = corners_of(polygon);

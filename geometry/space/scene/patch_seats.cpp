@@ -1,12 +1,14 @@
 #include "geometry/space/scene/patch_seats.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "geometry/name.h"
 #include "geometry/planarity.h"
+#include "geometry/space/scene/draped_patch.h"
 #include "geometry/space/scene/patches.h"
 #include "geometry/space/scene/plane_frame.h"
 #include "geometry/space/scene/plane_triangulation.h"
@@ -98,6 +100,14 @@ class Bases {
     return found;
   }
 
+  // The facets near a patch that look as it has to.
+  std::vector<const Facet*> looking_alike(std::uint32_t patch) {
+    std::vector<const Facet*> found = facets_under(patch, Near::kYes);
+    const Vector3 front = front_of(patch);
+    std::erase_if(found, [&](const Facet* facet) { return dot(facet->normal, front) <= 0; });
+    return found;
+  }
+
   // The facets of a plane that look as a patch in it has to.
   std::vector<const Facet*> beside(std::uint32_t patch, const Facet& first) {
     std::vector<const Facet*> found;
@@ -131,6 +141,24 @@ class Bases {
   std::map<std::uint32_t, std::vector<Facet>> facets_;  // by surface
 };
 
+// A place of a polygon in the plane of some facets that is in none of them; nothing where all of it is.
+std::optional<Point3> place_beyond(const Polygon3& polygon, std::vector<const Facet*> facets) {
+  const PlaneFrame3 frame(polygon.points);
+  const FlatRegion3 own = frame.region(polygon.points, polygon.holes);
+  std::vector<FlatSegment3> segments;
+  own.append_sides(segments);
+  std::erase_if(facets, [&](const Facet* facet) { return !facet->region.may_meet(own); });
+  for (const Facet* facet : facets) facet->region.append_sides(segments);
+  const PlaneTriangulation3 triangulation(segments);
+  for (std::uint32_t t = 0; t < triangulation.triangles().size(); ++t) {
+    const FlatPoint3 at = triangulation.centre(t);
+    if (own.contains(at) &&
+        std::ranges::none_of(facets, [&](const Facet* facet) { return facet->region.contains(at); }))
+      return frame.point(at);
+  }
+  return std::nullopt;
+}
+
 // The point of a segment that is nearest to a point.
 Point3 nearest_on(const Side3& side, const Point3& point) {
   const Vector3 way = side.to - side.from;
@@ -155,6 +183,15 @@ class Seater {
  private:
   void seat(std::uint32_t patch) {
     Polygon3& polygon = scene_.polygons[patch];
+    std::optional<Polygon3> in_plane = seated_in_plane(patch);
+    if (!in_plane || is_beyond(patch, *in_plane))
+      if (std::optional<Polygon3> across_bends = seated_across_bends(patch)) in_plane = std::move(across_bends);
+    if (in_plane) polygon = *std::move(in_plane);
+  }
+
+  // In the first plane that is near enough, those first that look as it does.
+  std::optional<Polygon3> seated_in_plane(std::uint32_t patch) {
+    Polygon3 polygon = scene_.polygons[patch];
     const Rational own = squared_diameter(corners_of(polygon));
     for (const Support& support : bases_.supports(patch, Near::kYes)) {
       const Rational base = squared_diameter(support.facet->polygon.points);
@@ -163,14 +200,34 @@ class Seater {
         if (support.squared_off != 0) corner = support.facet->projected(corner);
       });
       polygon.is_nearly_plane = false;
-      if (!support.looks_alike) return;
+      if (!support.looks_alike) return polygon;
       const std::vector<const Facet*> facets = bases_.beside(patch, *support.facet);
       for_each_corner(polygon, [&](Point3& corner) {
         const Point3 on_base = nearest(facets, corner);
         if (is_within_seat(square(on_base - corner), own, base, unit_)) corner = on_base;
       });
-      return;
+      return polygon;
     }
+    return std::nullopt;
+  }
+
+  // Whether something of what is seated in a plane is beside the facets of that. There are several planes only where
+  // a base is bent or a group.
+  bool is_beyond(std::uint32_t patch, const Polygon3& polygon) {
+    std::vector<const Facet*> facets = bases_.looking_alike(patch);
+    const PlaneFrame3 frame(polygon.points);
+    const std::size_t all = facets.size();
+    std::erase_if(facets, [&](const Facet* facet) { return facet->frame.key() != frame.key(); });
+    return facets.size() < all && polygon_problem(polygon).text.empty() && place_beyond(polygon, facets).has_value();
+  }
+
+  std::optional<Polygon3> seated_across_bends(std::uint32_t patch) {
+    std::vector<const Polygon3*> facets;
+    for (const Facet* facet : bases_.looking_alike(patch)) facets.push_back(&facet->polygon);
+    if (facets.size() < 2) return std::nullopt;
+    std::optional<Polygon3> result = draped(scene_.polygons[patch], facets, unit_);
+    if (result && !polygon_problem(*result).text.empty()) result.reset();
+    return result;
   }
 
   template <class Change>
@@ -217,30 +274,31 @@ class Judge {
   std::string base(std::uint32_t patch) const { return base_text(scene_.bases[*scene_.surfaces[patch].on]); }
 
   void judge(std::uint32_t patch) {
+    if (!scene_.polygons[patch].facets.empty()) return judge_facets(patch);
     const std::vector<Support> supports = bases_.supports(patch, Near::kYes);
     const auto in_plane = std::ranges::find_if(supports, [](const Support& s) { return s.squared_off == 0; });
     if (in_plane == supports.end() || scene_.polygons[patch].is_nearly_plane)
       refuse_off(patch, bases_.supports(patch, Near::kNo));
     if (!in_plane->looks_alike) refuse_turned_patch(scene_, patch);
-    judge_extent(patch, *in_plane->facet);
+    judge_extent(patch, scene_.polygons[patch], bases_.beside(patch, *in_plane->facet));
+  }
+
+  // Each facet of a patch across bends lies in the plane of one of its base, and within it.
+  void judge_facets(std::uint32_t patch) {
+    const std::vector<const Facet*> facets = bases_.looking_alike(patch);
+    for (const Polygon3& part : facets_of(scene_.polygons[patch])) {
+      const PlaneFrame3 frame(part.points);
+      std::vector<const Facet*> beside;
+      std::ranges::copy_if(facets, std::back_inserter(beside),
+                           [&](const Facet* facet) { return facet->frame.key() == frame.key(); });
+      if (beside.empty()) refuse_off(patch, bases_.supports(patch, Near::kNo));
+      judge_extent(patch, part, std::move(beside));
+    }
   }
 
   // Every part of the patch, cut by the sides of what it lies on, is in some of that.
-  void judge_extent(std::uint32_t patch, const Facet& first) {
-    const Polygon3& polygon = scene_.polygons[patch];
-    const FlatRegion3 own = first.frame.region(polygon.points, polygon.holes);
-    std::vector<FlatSegment3> segments;
-    own.append_sides(segments);
-    std::vector<const Facet*> facets = bases_.beside(patch, first);
-    std::erase_if(facets, [&](const Facet* facet) { return !facet->region.may_meet(own); });
-    for (const Facet* facet : facets) facet->region.append_sides(segments);
-    const PlaneTriangulation3 triangulation(segments);
-    for (std::uint32_t t = 0; t < triangulation.triangles().size(); ++t) {
-      const FlatPoint3 at = triangulation.centre(t);
-      if (!own.contains(at)) continue;
-      if (std::ranges::none_of(facets, [&](const Facet* facet) { return facet->region.contains(at); }))
-        refuse_beyond(patch, first.frame.point(at));
-    }
+  void judge_extent(std::uint32_t patch, const Polygon3& part, std::vector<const Facet*> facets) const {
+    if (const std::optional<Point3> at = place_beyond(part, std::move(facets))) refuse_beyond(patch, *at);
   }
 
   void refuse_beyond(std::uint32_t patch, const Point3& at) const {
@@ -250,7 +308,7 @@ class Judge {
     refuse(patch,
            "leaves " + base(patch) + ", on which it lies: around " + place_text(at) + " there is nothing of that" +
                (is_bent ? " in its plane" : ""),
-           is_bent ? "that is bent a little: give its points more digits, or make a patch of each of its planes"
+           is_bent ? "that is bent a little: make it smaller, or give the points of both more digits"
                    : "make it smaller, or make a surface without \"on\" of what is beyond");
   }
 

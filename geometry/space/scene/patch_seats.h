@@ -10,7 +10,8 @@ namespace hottel {
 // the nearest point of its border.
 //
 //   (1) a patch in the plane of its base and within it stays as it is; so does one that is farther off
-//   (2) a nearly plane base is its facets, each in a plane of its own; a patch lies on one plane
+//   (2) a nearly plane base is its facets, each in a plane of its own; a patch on several of them is cut as they are
+//       (draped)
 //   (3) patches on patches come after what they lie on
 //
 // `unit` is what the last digit of the coordinates stands for, 0 where they have none.

@@ -51,9 +51,9 @@ std::vector<Polygon3> beside_patches(const PatchCarriers3& carriers, const Face&
     const Facet facet(std::move(polygon));
     std::vector<FlatRegion3> taken;
     for (const std::uint32_t s : patches) {
-      const Polygon3& patch = scene.polygons[s];
-      if (PlaneFrame3(patch.points).key() == facet.frame.key())
-        taken.push_back(facet.frame.region(patch.points, patch.holes));
+      for (const Polygon3& part : facets_of(scene.polygons[s]))
+        if (PlaneFrame3(part.points).key() == facet.frame.key())
+          taken.push_back(facet.frame.region(part.points, part.holes));
     }
     std::erase_if(taken, [&](const FlatRegion3& region) { return !region.may_meet(facet.region); });
     if (taken.empty())
@@ -95,14 +95,17 @@ PatchCarriers3::PatchCarriers3(const Scene3& scene) : scene_(&scene), bases_(sce
 }
 
 std::vector<std::uint32_t> PatchCarriers3::of(std::uint32_t patch) const {
-  const Facet own(scene_->polygons[patch]);
+  std::vector<Facet> own;
+  for (Polygon3& polygon : facets_of(scene_->polygons[patch])) own.emplace_back(std::move(polygon));
   std::vector<std::uint32_t> carriers;
   for (const std::uint32_t s : bases_.under(patch)) {
     if (!boxes_[patch].meets(boxes_[s])) continue;
     const std::vector<Polygon3> facets = facets_of(scene_->polygons[s]);
     if (std::ranges::any_of(facets, [&](const Polygon3& polygon) {
           const PlaneFrame3 frame(polygon.points);
-          return frame.key() == own.frame.key() && frame.region(polygon.points, polygon.holes).may_meet(own.region);
+          return std::ranges::any_of(own, [&](const Facet& part) {
+            return frame.key() == part.frame.key() && frame.region(polygon.points, polygon.holes).may_meet(part.region);
+          });
         }))
       carriers.push_back(s);
   }

@@ -178,6 +178,11 @@ std::vector<std::vector<Point3>> loops_of(const Polygon3& polygon) {
 
 std::vector<Polygon3> facets_of(const Polygon3& polygon) {
   if (!polygon.is_nearly_plane) return {polygon};
+  if (!polygon.facets.empty()) {
+    std::vector<Polygon3> own;
+    for (const auto& [a, b, c] : polygon.facets) own.push_back({{a, b, c}});
+    return own;
+  }
   const std::vector<Point3> points = corners_of(polygon);
   std::vector<Polygon3> facets;
   for (const auto& [a, b, c] : triangles_of_loops(loops_of(polygon)))

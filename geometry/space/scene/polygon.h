@@ -1,6 +1,7 @@
 // A polygon of space, and whether it is one.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct Polygon3 {
   // Its points are not in one plane, but so nearly that it stands for its triangles (facets_of): they have its name,
   // its row and its area together, and each its own plane. See accept_nearly_plane.
   bool is_nearly_plane = false;
+  // Of a patch across bends of what it lies on: the triangles that it stands for (draped). Else none, for it has those
+  // of triangles_of_loops.
+  std::vector<std::array<Point3, 3>> facets = {};
   friend bool operator==(const Polygon3&, const Polygon3&) = default;
 };
 
@@ -48,7 +52,8 @@ std::vector<std::vector<Point3>> loops_of(const Polygon3& polygon);
 
 // Returns the triangles that a nearly plane polygon stands for, or the polygon itself.
 //
-//   (1) those of triangles_of_loops, in their order: what each is the first of stays so
+//   (1) those it has (Polygon3::facets), else those of triangles_of_loops, in their order: what each is the first of
+//       stays so
 //
 // REQUIRES a polygon without a problem.
 std::vector<Polygon3> facets_of(const Polygon3& polygon);

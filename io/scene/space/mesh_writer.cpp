@@ -123,7 +123,7 @@ class MeshWriter3 {
 
   void add_polygon(std::uint32_t s, const Polygon3& polygon) {
     const bool is_held = format_ != MeshFormat3::kStl || polygon.points.size() == 3;
-    if (is_held && polygon.holes.empty()) return add_face(s, polygon);
+    if (is_held && polygon.facets.empty() && polygon.holes.empty()) return add_face(s, polygon);
     ++cut_;
     for (const Polygon3& triangle : mesh_triangles(polygon)) add_face(s, triangle);
   }

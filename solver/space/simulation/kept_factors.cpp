@@ -36,6 +36,8 @@ StoreKey key_of(const std::string& method, const Scene3& scene, const ExchangeRe
     add_points(key, polygon.points);
     key.add_count(polygon.holes.size());
     for (const auto& hole : polygon.holes) add_points(key, hole);
+    key.add_count(polygon.facets.size());
+    for (const auto& [a, b, c] : polygon.facets) add_points(key, {a, b, c});
   }
   key.add_count(scene.masks.size());
   for (const Mask3& mask : scene.masks) {

@@ -224,11 +224,60 @@ TEST(Patches3, AreNotProjectedFromFarForTheirSize) {
   EXPECT_EQ(refusal(field + "," + polygon("p", "[5,5,3],[306,5,3],[306,6,3],[5,6,3]", on("field"), "b")), "");
 }
 
-TEST(Patches3, LieOnOnePlaneOfABentBase) {
-  const std::string bent = "[0,0,0],[1,0,0.000001],[1,1,0],[0,1,0]";
+const std::string kBent = "[0,0,0],[1,0,0.000001],[1,1,0],[0,1,0.000003]";  // two triangles, from (0, 0) to (1, 1)
+
+TEST(Patches3, LieOnBentBases) {
   const std::string inside = "[0.1,0.5,0],[0.3,0.5,0],[0.3,0.7,0],[0.1,0.7,0]";
-  EXPECT_EQ(refusal(polygon("floor", bent) + "," + mat(on("floor"), inside)), "");
-  EXPECT_THAT(refusal(polygon("floor", bent) + "," + mat()), HasSubstr("there is nothing of that in its plane"));
+  const Scene3 on_one = scene_of(polygon("floor", kBent) + "," + mat(on("floor"), inside));
+  EXPECT_FALSE(on_one.polygons[1].is_nearly_plane);
+  const Scene3 scene = scene_of(polygon("floor", kBent) + "," + mat(on("floor")));
+  const Polygon3& across = scene.polygons[1];
+  ASSERT_TRUE(across.is_nearly_plane);
+  // Each facet of it lies on one of the floor, and their area, as seen from above, is that of the mat.
+  Rational seen;
+  for (const Polygon3& part : facets_of(across)) {
+    const Polygon3 floor[]{{{{0, 0, 0}, {1, 0, Rational(1, 1000000)}, {1, 1, 0}}},
+                           {{{0, 0, 0}, {1, 1, 0}, {0, 1, Rational(3, 1000000)}}}};
+    EXPECT_TRUE(std::ranges::any_of(floor, [&](const Polygon3& facet) {
+      return std::ranges::all_of(part.points, [&](const Point3& p) { return contains(facet, p); });
+    }));
+    seen += doubled_area(part).z / 2;
+  }
+  EXPECT_EQ(seen, Rational(1, 4));
+  const ExchangeMatrix matrix = factors(scene);
+  EXPECT_NEAR(area(matrix, "mat") + area(matrix, "floor"), 1, 1e-11);
+  EXPECT_TRUE(parse_scene_3(write_scene_3(scene), "scene.json").polygons == scene.polygons);
+  EXPECT_THAT(
+      refusal(polygon("floor", kBent) + "," + mat(on("floor"), "[0.5,0.5,0],[1.5,0.5,0],[1.5,0.75,0],[0.5,0.75,0]")),
+      AllOf(HasSubstr("'mat' leaves 'floor'"), HasSubstr("around (")));
+}
+
+// On several bent pieces, from border to border, with a patch on it across the same bends; a ridge is no bend.
+TEST(Patches3, LieAcrossBendsOfSeveral) {
+  const std::string other = "[1,0,0.000001],[2,0,0],[2,1,0.000002],[1,1,0]";
+  const std::string pieces =
+      polygon("left", kBent, R"(, "group": "floor")") + "," + polygon("right", other, R"(, "group": "floor")");
+  const Scene3 scene = scene_of(pieces + "," + mat(on("floor"), "[0.5,0,0],[1.5,0,0],[1.5,1,0],[0.5,1,0]") + "," +
+                                polygon("rug", "[0.75,0.25,0],[1.25,0.25,0],[1.25,0.75,0],[0.75,0.75,0]", on("mat")));
+  const ExchangeMatrix matrix = factors(scene);
+  EXPECT_NEAR(area(matrix, "rug"), 0.25, 1e-11);
+  EXPECT_NEAR(area(matrix, "mat"), 0.75, 1e-11);
+  EXPECT_NEAR(area(matrix, "left"), 0.5, 1e-11);
+  const std::string roof = polygon("west", "[0,0,0],[1,0,1],[1,1,1],[0,1,0]", R"(, "group": "roof")") + "," +
+                           polygon("east", "[1,0,1],[2,0,0],[2,1,0],[1,1,1]", R"(, "group": "roof")");
+  EXPECT_THAT(refusal(roof + "," + mat(on("roof"), "[0.5,0,0.5],[1.5,0,0.5],[1.5,1,0.5],[0.5,1,0.5]")),
+              HasSubstr("'mat' does not lie on 'roof'"));
+}
+
+// What a face exchanges with a bent wall it exchanges with what is left of that and the patch across its bend.
+TEST(Patches3, AcrossBendsExchangeWhatWasTheBases) {
+  const std::string lamp = polygon("lamp", "[0.2,0.2,1],[0.2,0.8,1],[0.8,0.8,1],[0.8,0.2,1]");
+  const ExchangeMatrix bare = factors(scene_of(polygon("floor", kBent) + "," + lamp));
+  const ExchangeMatrix patched = factors(scene_of(polygon("floor", kBent) + "," + lamp + "," + mat(on("floor"))));
+  const auto exchange = [](const ExchangeMatrix& matrix, const std::string& to) {
+    return matrix.factor("lamp", to).value;
+  };
+  EXPECT_NEAR(exchange(patched, "floor") + exchange(patched, "mat"), exchange(bare, "floor"), 1e-12);
 }
 
 TEST(Patches3, StayInRepairs) {

@@ -8,6 +8,7 @@
 #include "geometry/space/exchange/exchange.h"
 #include "kernel/support/failure.h"
 #include "solver/radiosity/radiosity.h"
+#include "tests/storm/space/room_patches.h"
 #include "tests/storm/space/room_repair.h"
 
 namespace hottel::storm {
@@ -24,36 +25,18 @@ ExchangeMatrix matrix_of(const PreparedScene3& prepared, double tolerance) {
 
 double area_of(const ExchangeMatrix& matrix, std::uint32_t i) { return matrix.elements()[i].area.value; }
 
-// What F of the k-th entry of a row may be off.
+std::string pair_text(const ExchangeMatrix& matrix, std::uint32_t i, const FactorEntry& entry) {
+  return fmt::format("F({}, {}) = {:.17g}", matrix.name(i), matrix.name(entry.to), entry.factor.value);
+}
+
+}  // namespace
+
 double error_of(const ExchangeMatrix& matrix, std::uint32_t i, std::size_t k, double tolerance) {
   if (matrix.guarantee(i, k) != Guarantee::kEstimated) return matrix.bounds(i, k).width();
   const FactorEntry& entry = matrix.row(i)[k];
   double smaller = area_of(matrix, i);
   if (entry.to != matrix.sky()) smaller = std::min(smaller, area_of(matrix, entry.to));
   return tolerance * smaller / area_of(matrix, i);
-}
-
-std::string pair_text(const ExchangeMatrix& matrix, std::uint32_t i, const FactorEntry& entry) {
-  return fmt::format("F({}, {}) = {:.17g}", matrix.name(i), matrix.name(entry.to), entry.factor.value);
-}
-
-// Calls law(matrix, tolerance) for both.
-template <class Law>
-std::string of_both(const RoomSubject3& subject, const Law& law) {
-  std::string wrong;
-  for (const auto& [matrix, tolerance] :
-       {std::pair(&subject.loose(), kRoomTolerances3[0]), std::pair(&subject.tight(), kRoomTolerances3[1])})
-    if (const std::string what = law(*matrix, tolerance); !what.empty())
-      wrong += fmt::format("within {:.0e}:\n", tolerance) + what;
-  return wrong;
-}
-
-std::string measured_is_broken(const RoomSubject3& subject) {
-  std::string wrong;
-  for (std::size_t t = 0; t < 2; ++t)
-    if (!subject.refusal(t).empty())
-      wrong += fmt::format("within {:.0e}: {}\n", kRoomTolerances3[t], subject.refusal(t));
-  return wrong;
 }
 
 std::string rows_are_wrong(const ExchangeMatrix& matrix, double tolerance) {
@@ -83,6 +66,41 @@ std::string rows_are_wrong(const ExchangeMatrix& matrix, double tolerance) {
   }
   return wrong;
 }
+std::string radiosities_are_wrong(const ExchangeMatrix& matrix, const Scene3& scene) {
+  const RadiositySolution solution = solve_radiosity(matrix, scene.materials, scene.sky_emission);
+  std::string wrong;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    const ElementRadiosity& e = solution.channels[0].elements[i];
+    const double room = matrix.guarantee() == Guarantee::kEstimated ? kWarmth : 0;
+    if (!(e.lower - room <= 1 && 1 <= e.upper + room && std::abs(e.radiosity - 1) <= kWarmth * 10))
+      wrong += fmt::format("B({}) = 1 {:+.3g} in [1 {:+.3g}, 1 {:+.3g}]\n", matrix.name(i), e.radiosity - 1,
+                           e.lower - 1, e.upper - 1);
+  }
+  return wrong;
+}
+
+namespace {
+
+// Calls law(matrix, tolerance) for both.
+template <class Law>
+std::string of_both(const RoomSubject3& subject, const Law& law) {
+  std::string wrong;
+  for (const auto& [matrix, tolerance] :
+       {std::pair(&subject.loose(), kRoomTolerances3[0]), std::pair(&subject.tight(), kRoomTolerances3[1])})
+    if (const std::string what = law(*matrix, tolerance); !what.empty())
+      wrong += fmt::format("within {:.0e}:\n", tolerance) + what;
+  return wrong;
+}
+
+std::string measured_is_broken(const RoomSubject3& subject) {
+  std::string wrong;
+  for (std::size_t t = 0; t < 2; ++t)
+    if (!subject.refusal(t).empty())
+      wrong += fmt::format("within {:.0e}: {}\n", kRoomTolerances3[t], subject.refusal(t));
+  return wrong;
+}
+
 std::string rows_are_broken(const RoomSubject3& subject) { return of_both(subject, rows_are_wrong); }
 
 std::string range_is_wrong(const ExchangeMatrix& matrix, double tolerance) {
@@ -182,21 +200,8 @@ std::string values_are_broken(const RoomSubject3& subject) {
 }
 
 std::string radiosity_is_broken(const RoomSubject3& subject) {
-  std::string wrong;
-  const auto solve = [&](const ExchangeMatrix& matrix, double) {
-    const RadiositySolution solution = solve_radiosity(matrix, subject.scene().materials, subject.scene().sky_emission);
-    std::string what;
-    for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-      if (!matrix.has_row(i)) continue;
-      const ElementRadiosity& e = solution.channels[0].elements[i];
-      const double room = matrix.guarantee() == Guarantee::kEstimated ? kWarmth : 0;
-      if (!(e.lower - room <= 1 && 1 <= e.upper + room && std::abs(e.radiosity - 1) <= kWarmth * 10))
-        what += fmt::format("B({}) = 1 {:+.3g} in [1 {:+.3g}, 1 {:+.3g}]\n", matrix.name(i), e.radiosity - 1,
-                            e.lower - 1, e.upper - 1);
-    }
-    return what;
-  };
-  return of_both(subject, solve);
+  return of_both(subject,
+                 [&](const ExchangeMatrix& matrix, double) { return radiosities_are_wrong(matrix, subject.scene()); });
 }
 
 Scene3 warm_scene(const SolidBodies3& bodies) {
@@ -226,10 +231,15 @@ RoomSubject3::RoomSubject3(SolidBodies3 bodies, std::uint64_t chance)
 }
 
 const std::vector<RoomLaw3>& room_laws_3() {
-  static const std::vector<RoomLaw3> laws{
-      {"measured", measured_is_broken, 1, true}, {"rows", rows_are_broken, 1},         {"range", range_is_broken, 1},
-      {"reciprocity", reciprocity_is_broken, 1}, {"verdicts", verdicts_are_broken, 1}, {"values", values_are_broken, 1},
-      {"radiosity", radiosity_is_broken, 1},     {"repair", room_repair_is_broken, 4}};
+  static const std::vector<RoomLaw3> laws{{"measured", measured_is_broken, 1, true},
+                                          {"rows", rows_are_broken, 1},
+                                          {"range", range_is_broken, 1},
+                                          {"reciprocity", reciprocity_is_broken, 1},
+                                          {"verdicts", verdicts_are_broken, 1},
+                                          {"values", values_are_broken, 1},
+                                          {"radiosity", radiosity_is_broken, 1},
+                                          {"patches", room_patches_are_broken, 4},
+                                          {"repair", room_repair_is_broken, 4}};
   return laws;
 }
 

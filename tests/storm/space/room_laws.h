@@ -61,8 +61,17 @@ struct RoomLaw3 {
 //   verdicts     whether S = 0, and whether S = S0, is the same for both tolerances
 //   values       F within 1e-9 and within 1e-12 differ by no more than their errors, and their bounds meet
 //   radiosity    all radiosities are 1: within 1e-9, and between their bounds where these are of the true factors
+//   patches      with some patches (with_patches) rows and radiosities are as they were, and S of a face with another
+//                one, those of the patches on both added up, is what it was; so is whether S = 0
 //   repair       gaps closed within some distance, the scene is measured as before, check finds no more in it than
 //                before, and to close them once more changes nothing
 const std::vector<RoomLaw3>& room_laws_3();
+
+// What F of the k-th entry of a row may be off.
+double error_of(const ExchangeMatrix& matrix, std::uint32_t i, std::size_t k, double tolerance);
+// What is wrong with the sums of rows, or nothing.
+std::string rows_are_wrong(const ExchangeMatrix& matrix, double tolerance);
+// What is wrong with radiosities where emission is 1 less the reflectivity, or nothing.
+std::string radiosities_are_wrong(const ExchangeMatrix& matrix, const Scene3& scene);
 
 }  // namespace hottel::storm
