@@ -56,6 +56,14 @@ bool PatchBases::rests_on(std::uint32_t patch, std::uint32_t surface) const {
          std::ranges::any_of(under(patch), [&](std::uint32_t base) { return rests_on(base, surface); });
 }
 
+std::optional<Face> PatchBases::face_under(std::uint32_t patch, std::uint32_t surface) const {
+  if (!is_patch(patch)) return std::nullopt;
+  if (lies_on(patch, surface)) return Face{surface, is_on_backs(patch)};
+  for (const std::uint32_t base : under(patch))
+    if (const auto face = face_under(base, surface)) return Face{surface, face->is_back != is_on_backs(patch)};
+  return std::nullopt;
+}
+
 bool PatchBases::is_front_on(const Face& patch, const Face& base) const {
   return !patch.is_back && lies_on(patch.surface, base.surface) && is_on_backs(patch.surface) == base.is_back;
 }
@@ -65,8 +73,9 @@ bool PatchBases::has_place(const Face& face, std::span<const Face> there) const 
   if (face.is_back && is_patch(face.surface) && has_back_[face.surface] == 0) return false;
   return std::ranges::none_of(there, [&](const Face& other) {
     if (is_front_on(other, face)) return true;
-    return other.is_back && lies_on(other.surface, face.surface) && has_back_[other.surface] != 0 &&
-           is_on_backs(other.surface) != face.is_back;
+    if (!other.is_back || has_back_[other.surface] == 0) return false;
+    const std::optional<Face> front = face_under(other.surface, face.surface);
+    return front && front->is_back != face.is_back;
   });
 }
 

@@ -18,7 +18,7 @@ namespace hottel {
 //
 //   (1) a face lies on a side as it looks there; a patch looks as its base does, or as the back of that does
 //   (2) a patch whose front is on a side takes the place of the base's face there; one with a `back` that of the base's
-//       other face on the other side; one without has no face there
+//       other face on the other side, and of what that lies on; one without has no face there
 //
 // REQUIRES a table with valid indices. It need not outlive this. COST: linear.
 class PatchBases {
@@ -36,6 +36,8 @@ class PatchBases {
   bool lies_on(std::uint32_t patch, std::uint32_t surface) const;
   // The same by way of others too. REQUIRES that no patch lies on itself.
   bool rests_on(std::uint32_t patch, std::uint32_t surface) const;
+  // The face of a surface that the front of a patch is on, by way of others too; nothing where it does not rest on it.
+  std::optional<Face> face_under(std::uint32_t patch, std::uint32_t surface) const;
 
   // Whether a face has a place on a side where it and others lie: not where it is the back without a material of a
   // patch, or another one there is that of a patch that takes its place. REQUIRES all faces on one side of a place.

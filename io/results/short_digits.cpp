@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <system_error>
 
@@ -69,14 +70,22 @@ struct DecimalDigits {
 
   // As std::to_chars writes a double: the shorter of both notations.
   std::string text() const {
+    const std::optional<double> value = magnitude();
+    std::string result = value ? shortest_digits(*value) : "inf";
+    return is_negative ? "-" + result : result;
+  }
+  bool is_beyond_doubles() const { return !magnitude(); }
+
+ private:
+  // Nothing where that is beyond doubles.
+  std::optional<double> magnitude() const {
     std::string shown = digits;
     shown.erase(shown.find_last_not_of('0') + 1);
     const std::string scientific = "0." + shown + "e" + std::to_string(exponent);
     double value = 0;
     const auto read = std::from_chars(scientific.data(), scientific.data() + scientific.size(), value);
-    const bool is_beyond = read.ec == std::errc::result_out_of_range && exponent > 0;
-    std::string result = is_beyond ? "inf" : shortest_digits(value);
-    return is_negative ? "-" + result : result;
+    if (read.ec == std::errc::result_out_of_range && exponent > 0) return std::nullopt;
+    return value;
   }
 };
 
@@ -89,10 +98,13 @@ std::string short_digits(double value, std::optional<int> digits, RoundedTo to) 
   const auto count = static_cast<std::size_t>(*digits);
   DecimalDigits decimal(scientific(value));
   if (decimal.digits.size() <= count) return shortest_digits(value);
-  if (to == RoundedTo::kNearest)
-    decimal = DecimalDigits(scientific(value, *digits - 1));
-  else
+  if (to != RoundedTo::kNearest) {
     decimal.cut(count, (to == RoundedTo::kAbove) != decimal.is_negative);
+    return decimal.text();
+  }
+  const DecimalDigits nearest(scientific(value, *digits - 1));
+  if (!nearest.is_beyond_doubles()) return nearest.text();
+  decimal.cut(count, false);
   return decimal.text();
 }
 

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -195,6 +196,48 @@ TEST(OrientedPoints, PointsInSolidsHaveNoLight) {
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(lines_of(outcome.out).at(2), "1,1.5,1.5,0,1,,,");
   EXPECT_THAT(outcome.err, HasSubstr("have no light: 1, the first is point 1"));
+}
+
+// On the border of a box nothing is seen through it, whatever stands behind; within the wall of two there is no light.
+TEST(OrientedPoints, NothingIsSeenThroughSolids) {
+  const auto box = [](const std::string& name, int x, int height) {
+    const auto at = [&](int a, int b, int c) {
+      return "[" + std::to_string(x + a) + "," + std::to_string(b) + "," + std::to_string(c * height) + "]";
+    };
+    const std::vector<std::array<std::array<int, 3>, 4>> sides{
+        {{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}}, {{{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}}},
+        {{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}}, {{{1, 1, 0}, {0, 1, 0}, {0, 1, 1}, {1, 1, 1}}},
+        {{{0, 1, 0}, {0, 0, 0}, {0, 0, 1}, {0, 1, 1}}}, {{{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}}}};
+    std::string text;
+    for (const auto& side : sides) {
+      text += R"(, {"group": ")" + name + R"(", "material": "cold", "points": [)";
+      for (std::size_t k = 0; k < 4; ++k) text += (k == 0 ? "" : ",") + at(side[k][0], side[k][1], side[k][2]);
+      text += "]}";
+    }
+    return text;
+  };
+  const std::string floor = R"({"hottel": 1, "dimension": 3, "materials": {"hot": {"emission": 100}, "cold": {}},
+    "polygons": [{"name": "floor", "points": [[-5,-5,0],[5,-5,0],[5,5,0],[-5,5,0]], "material": "hot"})";
+  const Workplace place;
+  place.write("box.json", floor + box("box", 0, 1) + "]}");
+  for (const auto& columns : told(place, "box.json", "x,y,z,nx,ny,nz\n0.5,0.5,1,0,0,1\n0.5,0.5,1,0,0,-1\n"))
+    EXPECT_THAT(columns, testing::ElementsAre("0", columns[1], "0"));
+  // On an edge a quarter of the sphere is in the box: the floor beside it is seen, and the mean is of what is seen.
+  const auto edge = told(place, "box.json", "x,y,z,nx,ny,nz\n0.5,0,1,0,-1,0\n0.5,0,2,0,-1,0\n");
+  EXPECT_GT(number(edge[0][0]), 30);
+  place.write("two.json", floor + box("a", 0, 1) + box("b", 1, 2) + "]}");
+  const auto between = told(place, "two.json", "x,y,z,nx,ny,nz\n1,0.5,0.5,1,0,0\n1,0.5,1.5,-1,0,0\n");
+  EXPECT_THAT(between[0], testing::ElementsAre("", "", ""));
+  EXPECT_NE(between[1][0], "");
+}
+
+TEST(OrientedPoints, NormalsBeyondDoublesAreWrittenByTheirDirection) {
+  const Workplace place;
+  place.write("canyon.json", canyon("1"));
+  place.write("points.csv", "x,y,nx,ny\n0.5,0.5,1e4000,1e4000\n0.5,0.5,0,-1e-4000\n");
+  const auto lines = lines_of(place.run("hottel visibility canyon.json --points points.csv").out);
+  EXPECT_THAT(lines.at(1), testing::StartsWith("0,0.5,0.5,1,1,"));
+  EXPECT_THAT(lines.at(2), testing::StartsWith("1,0.5,0.5,0,-1,"));
 }
 
 TEST(OrientedPoints, WhatMakesNoSenseIsRefused) {

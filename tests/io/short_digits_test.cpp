@@ -53,6 +53,8 @@ TEST(ShortDigits, AreRoundedToTheNearestOrOutward) {
   EXPECT_EQ(short_digits(0.9996, 3, RoundedTo::kBelow), "0.999");
   EXPECT_EQ(short_digits(9.9901e-30, 3, RoundedTo::kAbove), "1e-29");
   EXPECT_EQ(short_digits(1.5e308 + 1.23e307, 1, RoundedTo::kAbove), "inf");  // 2e308
+  EXPECT_EQ(short_digits(1.7e308, 1), "1e+308") << "the nearest is beyond doubles";
+  EXPECT_EQ(short_digits(-1.7e308, 1), "-1e+308");
 }
 
 // Of a tie in decimals the double decides, which is seldom one: 2.675 is a little less.

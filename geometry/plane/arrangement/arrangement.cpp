@@ -213,7 +213,7 @@ SideOwner2 Arrangement2::claims(const Scene2& scene, PieceSideId side,
   const bool right = is_right(side);
   const PieceSideId behind = opposite(side);
   const SilentGroups2 is_silent = [&](std::uint32_t group) { return solids_.is_inside_of(behind, group); };
-  const bool lies_on_solid = is_covered(behind) && has_material_on(scene, covering, !right);
+  const bool lies_on_solid = is_covered(behind) && has_material_on(scene, patches_, covering, !right, is_silent);
   return owner_of_side(scene, patches_, covering, right, lies_on_solid ? is_silent : SilentGroups2());
 }
 

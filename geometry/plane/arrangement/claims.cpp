@@ -44,9 +44,16 @@ SideOwner2 owner_of_side(const Scene2& scene, const PatchBases& patches, const s
   return *side;
 }
 
-bool has_material_on(const Scene2& scene, const std::vector<PieceSource2>& covering, bool right) {
-  return std::any_of(covering.begin(), covering.end(),
-                     [&](const PieceSource2& source) { return claim_of(scene, source, right).material != nullptr; });
+bool has_material_on(const Scene2& scene, const PatchBases& patches, const std::vector<PieceSource2>& covering,
+                     bool right, const SilentGroups2& is_silent) {
+  const auto is_part = [&](std::uint32_t patch) {
+    return patches.is_patch(patch) && std::ranges::any_of(covering, [&](const PieceSource2& other) {
+             return patches.rests_on(patch, other.surface) && is_silent(scene.surfaces[other.surface].group);
+           });
+  };
+  return std::ranges::any_of(covering, [&](const PieceSource2& source) {
+    return claim_of(scene, source, right).material != nullptr && !is_part(source.surface);
+  });
 }
 
 }  // namespace hottel

@@ -52,7 +52,9 @@ using SilentGroups2 = std::function<bool(std::uint32_t group)>;
 SideOwner2 owner_of_side(const Scene2& scene, const PatchBases& patches, const std::vector<PieceSource2>& covering,
                          bool right, const SilentGroups2& is_silent = {});
 
-// True iff a face with a material is on the right (left) side of a piece, silent or not.
-bool has_material_on(const Scene2& scene, const std::vector<PieceSource2>& covering, bool right);
+// True iff a face with a material is on the right (left) side of a piece, silent or not, but for patches on one of
+// those groups, by way of others too: these are parts of what the group is.
+bool has_material_on(const Scene2& scene, const PatchBases& patches, const std::vector<PieceSource2>& covering,
+                     bool right, const SilentGroups2& is_silent);
 
 }  // namespace hottel

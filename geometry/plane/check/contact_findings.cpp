@@ -196,8 +196,9 @@ class ContactTeller {
     for (const Overlap2& overlap : contacts_.overlaps)
       for (const PieceSource2& source : overlap.covering) {
         const bool back_is_right = source.is_reversed;
+        const auto is_own = [&](std::uint32_t group) { return group == scene_.surfaces[source.surface].group; };
         if (is_solid(overlap.sides[back_is_right ? 1 : 0]) && !is_solid(overlap.sides[back_is_right ? 0 : 1]) &&
-            has_material_on(scene_, overlap.covering, back_is_right))
+            has_material_on(scene_, patches_, overlap.covering, back_is_right, is_own))
           is_silent_[source.surface] = 1;
       }
   }

@@ -185,12 +185,13 @@ class ClusterPieces {
   Face owner(const Cell& cell, bool is_up, const FlatPoint3& at) const {
     const bool is_covered = is_up ? cell.is_covered_up : cell.is_covered_down;
     const bool is_behind_covered = is_up ? cell.is_covered_down : cell.is_covered_up;
-    const bool lies_on_solid = is_behind_covered && has_material_on(scene_, cell.sources, !is_up);
-    const SideOwner3 side = owner_of_side(scene_, patches_, cell.sources, is_up, [&](std::uint32_t group) {
-      if (!lies_on_solid) return false;
+    const auto is_behind = [&](std::uint32_t group) {
       const ClosedMesh3* mesh = solids_.mesh_of(group);
       return mesh != nullptr && solids_.is_behind({&frame_, at, !is_up}, *mesh);
-    });
+    };
+    const bool lies_on_solid = is_behind_covered && has_material_on(scene_, patches_, cell.sources, !is_up, is_behind);
+    const SideOwner3 side = owner_of_side(scene_, patches_, cell.sources, is_up,
+                                          [&](std::uint32_t group) { return lies_on_solid && is_behind(group); });
     if (side.rival && !is_covered) refuse(side, frame_.point(at));
     return side.owner;
   }
@@ -222,7 +223,7 @@ class ClusterPieces {
     const auto name = [this](std::uint32_t surface) { return quoted_name(scene_.surfaces[surface].name); };
     const auto [mask, other] = *wrong;
     const std::uint32_t told = other.value_or(mask.surface);
-    if (other && patches_.lies_on(told, mask.base))
+    if (other && patches_.rests_on(told, mask.base))
       throw InputError(place_of(scene_, scene_.surfaces[told]),
                        name(mask.surface) + " masks " + name(mask.base) + " where " + name(told) +
                            " lies on it, around " + place_text(place()),

@@ -56,15 +56,22 @@ std::optional<MisplacedMask3> misplaced_mask(const Scene3& scene, const PatchBas
       if (other.base == mask.base && other.surface > mask.surface && is_there(sources, other.surface))
         return MisplacedMask3{mask, other.surface};
     for (const PlaceSource3& source : sources)
-      if (patches.lies_on(source.surface, mask.base) && !patches.is_on_backs(source.surface))
+      if (const auto front = patches.face_under(source.surface, mask.base);
+          front && (!front->is_back || scene.surfaces[source.surface].back))
         return MisplacedMask3{mask, source.surface};
   }
   return std::nullopt;
 }
 
-bool has_material_on(const Scene3& scene, const std::vector<PlaceSource3>& sources, bool is_up) {
-  return std::any_of(sources.begin(), sources.end(), [&](const PlaceSource3& source) {
-    return scene.surfaces[source.surface].material_of(source.is_front_up != is_up).has_value();
+bool has_material_on(const Scene3& scene, const PatchBases& patches, const std::vector<PlaceSource3>& sources,
+                     bool is_up, const std::function<bool(std::uint32_t group)>& is_silent) {
+  const auto is_part = [&](std::uint32_t patch) {
+    return patches.is_patch(patch) && std::ranges::any_of(sources, [&](const PlaceSource3& other) {
+             return patches.rests_on(patch, other.surface) && is_silent(scene.surfaces[other.surface].group);
+           });
+  };
+  return std::ranges::any_of(sources, [&](const PlaceSource3& source) {
+    return scene.surfaces[source.surface].material_of(source.is_front_up != is_up) && !is_part(source.surface);
   });
 }
 

@@ -45,7 +45,9 @@ struct MisplacedMask3 {
 std::optional<MisplacedMask3> misplaced_mask(const Scene3& scene, const PatchBases& patches,
                                              const std::vector<PlaceSource3>& sources);
 
-// True iff a face with a material is on that side, silent or not.
-bool has_material_on(const Scene3& scene, const std::vector<PlaceSource3>& sources, bool is_up);
+// True iff a face with a material is on that side, silent or not, but for patches on one of those groups, by way of
+// others too: these are parts of what the group is.
+bool has_material_on(const Scene3& scene, const PatchBases& patches, const std::vector<PlaceSource3>& sources,
+                     bool is_up, const std::function<bool(std::uint32_t group)>& is_silent);
 
 }  // namespace hottel

@@ -9,6 +9,7 @@
 #include "geometry/grey_temperature.h"
 #include "geometry/name.h"
 #include "geometry/space/check/wording.h"
+#include "geometry/space/scene/patches.h"
 
 namespace hottel {
 namespace {
@@ -204,12 +205,22 @@ class SightTeller {
   void tell_covered(std::uint32_t face) {
     const auto material = matrix_.elements()[face].material;
     if (!material) return;
+    if (const Surfaces patches = patches_on(face); !patches.empty())
+      return add(Severity::kNote, "covered", {surface(face)},
+                 fmt::format("nothing is left of {} beside the patch{} on it, {}: it has no rows", name(face),
+                             patches.size() == 1 ? "" : "es", names_text(scene_, patches)),
+                 "nothing to do where that is meant");
     const bool emits =
         !scene_.materials[*material].emission.is_zero() && !is_as_warm_as_cover(surface(face), *material);
     add(emits ? Severity::kWarning : Severity::kNote, "covered", {surface(face)},
         fmt::format("nothing is left of {}: others cover all of it{}", name(face),
                     emits ? ", and its emission is lost" : ""),
         emits ? "move it out of what covers it" : "nothing to do here: it has no part in the exchange");
+  }
+
+  Surfaces patches_on(std::uint32_t face) const {
+    const Element& element = matrix_.elements()[face];
+    return PatchCarriers3(scene_).on({element.surface, element.is_back});
   }
 
   // Whether something that lies in its plane, over its middle, has its temperature: what covers it, or it stands on.

@@ -115,8 +115,10 @@ std::vector<std::uint32_t> PatchCarriers3::of(std::uint32_t patch) const {
 std::vector<std::uint32_t> PatchCarriers3::on(const Face& face) const {
   std::vector<std::uint32_t> patches;
   for (std::uint32_t s = 0; s < boxes_.size(); ++s) {
-    if (!bases_.lies_on(s, face.surface) || !boxes_[s].meets(boxes_[face.surface])) continue;
-    if (bases_.is_on_backs(s) == face.is_back || scene_->surfaces[s].back) patches.push_back(s);
+    const std::optional<Face> front = bases_.face_under(s, face.surface);
+    if (!front || !boxes_[s].meets(boxes_[face.surface])) continue;
+    if (front->is_back == face.is_back ? bases_.lies_on(s, face.surface) : scene_->surfaces[s].back.has_value())
+      patches.push_back(s);
   }
   return patches;
 }

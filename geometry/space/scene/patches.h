@@ -29,7 +29,8 @@ class PatchCarriers3 {
   const PatchBases& bases() const { return bases_; }
   // The surfaces on which a patch lies somewhere, ascending; of one plane those whose boxes there meet it.
   std::vector<std::uint32_t> of(std::uint32_t patch) const;
-  // The patches that may take something of a face: those on it, and those with a back on the other face of its surface.
+  // The patches that may take something of a face: those on it, and those with a back that are on the other face of its
+  // surface, by way of others too.
   std::vector<std::uint32_t> on(const Face& face) const;
 
  private:

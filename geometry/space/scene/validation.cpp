@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/name.h"
+#include "geometry/patch_bases.h"
 #include "geometry/space/scene/light_place_problem.h"
 #include "geometry/space/scene/patch_seats.h"
 #include "kernel/support/failure.h"
@@ -48,9 +49,23 @@ void validate_masks(const Scene3& scene) {
   }
 }
 
+// Nothing lies between a mask and what it masks.
+void validate_masks_without_patches(const Scene3& scene) {
+  const PatchBases patches(scene);
+  if (patches.is_empty()) return;
+  for (const Mask3& mask : scene.masks)
+    for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+      if (const auto front = patches.face_under(s, mask.surface); front && (!front->is_back || scene.surfaces[s].back))
+        refuse_patch(scene, s,
+                     "lies on " + quoted_name(scene.surfaces[mask.surface].name) + ", which masks " +
+                         quoted_name(scene.surfaces[mask.base].name) + ": nothing lies between the two",
+                     "a mask sees what it masks alone: put the patch elsewhere, or leave out \"masks\"");
+}
+
 // (3) to (5), but for the table.
 void validate_rest(const Scene3& scene) {
   validate_masks(scene);
+  validate_masks_without_patches(scene);
   HOTTEL_REQUIRE(scene.light_places.size() == scene.lights.size());
   for (std::size_t k = 0; k < scene.lights.size(); ++k)
     if (const std::string problem = light_place_problem(scene, scene.lights[k], scene.light_places[k]);

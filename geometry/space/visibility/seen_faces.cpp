@@ -153,11 +153,13 @@ PointMap3 with_owners(PointMap3 map, const Arrangement3& arrangement) {
 
 std::vector<std::uint32_t> solids_at(const Solids3& solids, const Point3& point) {
   std::vector<std::uint32_t> result;
+  ClosedMesh3::Box here;
+  here.include(point);
   for (std::uint32_t m = 0; m < solids.meshes().size(); ++m) {
     const ClosedMesh3& mesh = solids.meshes()[m];
-    if (mesh.kind != ClosedMesh3::Kind::kSolid) continue;
+    if (mesh.kind != ClosedMesh3::Kind::kSolid || !mesh.box.meets(here)) continue;
     const bool is_on_it = std::any_of(mesh.faces.begin(), mesh.faces.end(), [&](const ClosedMesh3::Face& face) {
-      return face.frame.height(point) == 0 &&
+      return face.box.meets(here) && face.frame.height(point) == 0 &&
              std::any_of(face.pieces.begin(), face.pieces.end(),
                          [&](const std::vector<Point3>& corners) { return contains(Polygon3{corners}, point); });
     });

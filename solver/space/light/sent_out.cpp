@@ -4,8 +4,15 @@
 #include <utility>
 
 #include "geometry/space/visibility/convex_cut.h"
+#include "geometry/space/visibility/seen_faces.h"
 
 namespace hottel {
+
+namespace {
+
+constexpr double kNothing = 1e-15;  // what rounding makes of it
+
+}  // namespace
 
 SentOut3::SentOut3(const PreparedScene3& prepared, Granularity granularity, const RadiositySolution& solution)
     : prepared_(prepared),
@@ -20,6 +27,19 @@ SentOut3::SentOut3(const PreparedScene3& prepared, Granularity granularity, cons
     for (const Point3& corner : corners_of(prepared.blockers().vertices(), part.patch))
       side.parts.back().corners.push_back({to_double(corner.x), to_double(corner.y), to_double(corner.z)});
   }
+  const auto& pieces = prepared.arrangement().pieces();
+  for (std::uint32_t piece = 0; piece < pieces.size(); ++piece)
+    for (const bool is_back : {false, true}) {
+      const Piece3::Side& side = pieces[piece].side(is_back);
+      Side& own = parts_[Face{piece, is_back}.number()];
+      own.is_covered = side.cover != Piece3::Cover::kFree;
+      for (const Polygon3& free : side.free) {
+        std::vector<Direction3>& corners = own.free.emplace_back();
+        for (const Point3& corner : free.points)
+          corners.push_back({to_double(corner.x), to_double(corner.y), to_double(corner.z)});
+        if (is_back) std::ranges::reverse(corners);
+      }
+    }
   for (const Rational& emission : prepared.scene.sky_emission.value) sky_.push_back(to_double(emission));
 }
 
@@ -29,6 +49,7 @@ void SentOut3::mean(const Point3& eye, std::span<double> result) const {
     return parts_[fragment.face.number()].parts.empty();
   };
   if (prepared_.scene.closed && std::ranges::all_of(map.fragments, is_black)) return;
+  if (map.sky_fraction < kNothing && is_in_solids(map, eye)) return;
   sum(
       map, eye, [](const PointMap3::Fragment& fragment) { return fragment.fraction; },
       [](std::span<const Direction3> cone) { return solid_angle_fraction_3(cone); }, result);
@@ -51,11 +72,23 @@ template <class FractionOf, class Measure>
 void SentOut3::sum(const PointMap3& map, const Point3& eye, const FractionOf& fraction_of, const Measure& measure,
                    std::span<double> result) const {
   std::fill(result.begin(), result.end(), 0.0);
+  const auto side_of = [this](const PointMap3::Fragment& fragment) -> const Side& {
+    return parts_[fragment.face.number()];
+  };
+  const auto may_be_covered = [&](const PointMap3::Fragment& fragment) { return side_of(fragment).is_covered; };
+  const bool is_on_solid =
+      std::ranges::any_of(map.fragments, may_be_covered) && !solids_at(prepared_.arrangement().solids(), eye).empty();
   const Direction3 from{to_double(eye.x), to_double(eye.y), to_double(eye.z)};
   std::vector<Direction3> cone;
   for (const PointMap3::Fragment& fragment : map.fragments) {
-    const Side& side = parts_[fragment.face.number()];
+    const Side& side = side_of(fragment);
     if (side.parts.empty()) continue;
+    if (is_on_solid && side.is_covered) {
+      cone.clear();
+      for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) cone.push_back(map.corners[c].direction);
+      add_free(cone, side, from, measure, result);
+      continue;
+    }
     if (!side.is_divided) {
       add(side.parts[0].label, fraction_of(fragment), result);
       continue;
@@ -64,6 +97,41 @@ void SentOut3::sum(const PointMap3& map, const Point3& eye, const FractionOf& fr
     for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) cone.push_back(map.corners[c].direction);
     add_divided(cone, fraction_of(fragment), side, from, measure, result);
   }
+}
+
+// What is seen through a solid that begins at the eye is not there.
+template <class Measure>
+void SentOut3::add_free(const std::vector<Direction3>& cone, const Side& side, const Direction3& eye,
+                        const Measure& measure, std::span<double> result) const {
+  std::vector<Direction3> ways;
+  for (const std::vector<Direction3>& free : side.free) {
+    ways.clear();
+    for (const Direction3& corner : free) ways.push_back(unit(corner - eye));
+    const std::vector<Direction3> seen = common_cone_3(cone, ways);
+    const double fraction = seen.size() > 2 ? measure(seen) : 0;
+    if (!(fraction > kNothing)) continue;
+    if (side.is_divided)
+      add_divided(seen, fraction, side, eye, measure, result);
+    else
+      add(side.parts[0].label, fraction, result);
+  }
+}
+
+// Whether all that a point would see looks into solids: so it is within a wall between several.
+bool SentOut3::is_in_solids(const PointMap3& map, const Point3& eye) const {
+  const Direction3 from{to_double(eye.x), to_double(eye.y), to_double(eye.z)};
+  return !map.fragments.empty() && std::ranges::all_of(map.fragments, [&](const PointMap3::Fragment& fragment) {
+    const Side& side = parts_[fragment.face.number()];
+    if (!side.is_covered) return false;
+    std::vector<Direction3> cone, ways;
+    for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) cone.push_back(map.corners[c].direction);
+    return std::ranges::none_of(side.free, [&](const std::vector<Direction3>& free) {
+      ways.clear();
+      for (const Direction3& corner : free) ways.push_back(unit(corner - from));
+      const std::vector<Direction3> seen = common_cone_3(cone, ways);
+      return seen.size() > 2 && solid_angle_fraction_3(seen) > kNothing;
+    });
+  });
 }
 
 void SentOut3::add(std::uint32_t label, double fraction, std::span<double> result) const {

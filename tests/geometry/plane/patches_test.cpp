@@ -206,6 +206,31 @@ TEST(Patches2, OnSolidsCloseNothing) {
   EXPECT_THAT(faces(scene), testing::IsSupersetOf({"lining[0]", "lining[1]", "lining[2]", "lining[3]"}));
 }
 
+// What a back of a patch on a solid looks at is covered, and so is what a patch on the back of it looks at.
+TEST(Patches2, WithBacksOnSolidsAreCoveredInside) {
+  const std::string box = edge("box", "[0,0],[3,0],[3,3],[0,3]", ", \"closed\": true", "a");
+  const auto with = [&](const std::string& points, const std::string& more) {
+    return faces(scene_of(edge("win", points, more), box));
+  };
+  EXPECT_THAT(with("[0,2],[0,1]", R"(, "back": "c", "on": "box[3]")"),
+              ElementsAre("win", "box[0]", "box[1]", "box[2]", "box[3]"));
+  EXPECT_THAT(with("[0,1],[0,2]", R"(, "on": "box[3]:back")"), ElementsAre("box[0]", "box[1]", "box[2]", "box[3]"));
+  EXPECT_THAT(with("[0,1],[0,2]", R"(, "back": "c", "on": "box[3]:back")"),
+              ElementsAre("win:back", "box[0]", "box[1]", "box[2]", "box[3]"));
+}
+
+// The back of a patch on a patch without one is that of the wall below.
+TEST(Patches2, OnPatchesHaveBacksOfTheirOwn) {
+  const Scene2 scene =
+      scene_of(edge("wall", "[0,0],[0,10]", R"(, "back": "a")", "a") + "," + edge("win", "[0,2],[0,8]", on("wall")) +
+                   "," + edge("pane", "[0,3],[0,5]", R"(, "back": "c", "on": "win")", "c"),
+               "");
+  const ExchangeMatrix matrix = factors(scene);
+  for (const auto& [name, length] : {std::pair("wall", 4), {"wall:back", 8}, {"win", 4}, {"pane", 2}, {"pane:back", 2}})
+    EXPECT_EQ(matrix.elements()[*matrix.find(name)].area.value, length) << name;
+  EXPECT_FALSE(matrix.find("win:back") && matrix.has_row(*matrix.find("win:back")));
+}
+
 TEST(Patches2, AreNotBesideBehind) {
   EXPECT_THAT(refusal(edge("p", "[0,1],[0,2]", on("room") + R"(, "behind": "solid")")),
               HasSubstr("edge 'p' lies on another surface (\"on\"): it makes nothing solid"));

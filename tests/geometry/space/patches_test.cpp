@@ -200,6 +200,49 @@ TEST(Patches3, AreNoMasksAndSolids) {
   EXPECT_THAT(refusal(kRoom + "," + mat() + "," + mask), HasSubstr("'mask' masks 'floor' where 'mat' lies on it"));
 }
 
+TEST(Patches3, AreNotOnMasks) {
+  const std::string mask = polygon("mask", "[0.5,0.5,0],[0.5,0.9,0],[0.9,0.9,0],[0.9,0.5,0]", R"(, "masks": "floor")");
+  const std::string label = "[0.5,0.5,0],[0.5,0.7,0],[0.7,0.7,0],[0.7,0.5,0]",
+                    back = "[0.5,0.5,0],[0.7,0.5,0],[0.7,0.7,0],[0.5,0.7,0]";
+  EXPECT_THAT(refusal(kRoom + "," + mask + "," + polygon("label", label, on("mask"), "b")),
+              HasSubstr("'label' lies on 'mask', which masks 'floor': nothing lies between the two"));
+  EXPECT_EQ(refusal(kRoom + "," + mask + "," + polygon("label", back, on("mask:back"), "b")), "");
+  EXPECT_THAT(refusal(kRoom + "," + mask + "," + polygon("label", back, on("mask:back") + R"(, "back": "a")", "b")),
+              HasSubstr("'label' lies on 'mask'"));
+}
+
+// What a back of a patch on a solid looks at is covered, and so is what a patch on the back of it looks at.
+TEST(Patches3, WithBacksOnSolidsAreCoveredInside) {
+  const auto with = [&](const std::string& points, const std::string& more) {
+    const ExchangeMatrix matrix =
+        factors(scene_of(kRoom + "," + box("0", "0.5") + "," + polygon("win", points, more, "b")));
+    return std::array{area(matrix, "win"), area(matrix, "top")};
+  };
+  const std::string up = "[0.3,0.3,0.5],[0.4,0.3,0.5],[0.4,0.4,0.5],[0.3,0.4,0.5]",
+                    down = "[0.3,0.3,0.5],[0.3,0.4,0.5],[0.4,0.4,0.5],[0.4,0.3,0.5]";
+  const auto plain = with(up, on("top")), backed = with(up, R"(, "back": "a")" + on("top"));
+  EXPECT_EQ(plain, backed);
+  EXPECT_NEAR(backed[0], 0.01, 1e-15);
+  const auto inside = with(down, on("top:back"));
+  EXPECT_EQ(inside[0], 0);
+  EXPECT_NEAR(inside[1], plain[0] + plain[1], 1e-15);
+  EXPECT_NEAR(with(down, R"(, "back": "a")" + on("top:back"))[1], plain[1], 1e-15);
+}
+
+// The back of a patch on a patch without one is that of the wall below.
+TEST(Patches3, OnPatchesHaveBacksOfTheirOwn) {
+  const Scene3 scene =
+      scene_of(polygon("wall", "[0,0,0],[10,0,0],[10,1,0],[0,1,0]", R"(, "back": "a")") + "," +
+               polygon("win", "[2,0,0],[8,0,0],[8,1,0],[2,1,0]", on("wall"), "b") + "," +
+               polygon("pane", "[3,0,0],[5,0,0],[5,1,0],[3,1,0]", R"(, "back": "c")" + on("win"), "c"));
+  const ExchangeMatrix matrix = factors(scene);
+  for (const auto& [name, size] : {std::pair("wall", 4), {"wall:back", 8}, {"win", 4}, {"pane", 2}, {"pane:back", 2}})
+    EXPECT_EQ(area(matrix, name), size) << name;
+  Rational left;
+  for (const Polygon3& part : beside_patches(PatchCarriers3(scene), {0, true})) left += doubled_area(part).z / 2;
+  EXPECT_EQ(left, 8);
+}
+
 TEST(Patches3, ThatOverlapNeedOneMaterial) {
   const std::string other = "[0.5,0.5,0],[0.9,0.5,0],[0.9,0.9,0],[0.5,0.9,0]";
   EXPECT_THAT(refusal(kRoom + "," + mat() + "," + polygon("rug", other, on("floor"), "c")),

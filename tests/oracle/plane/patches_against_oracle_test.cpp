@@ -39,9 +39,23 @@ InputSegment patch_on(const std::vector<InputSegment>& edges, std::size_t base, 
   return patch;
 }
 
+// A solid box of one group, somewhere among the rest; patches lie on it soon.
+void add_box(std::vector<InputSegment>& edges, Random& random) {
+  const int x = below(6, random), y = below(6, random), w = 1 + below(4, random), h = 1 + below(4, random);
+  int group = 0;
+  for (const InputSegment& edge : edges) group = std::max(group, edge.group + 1);
+  const int material = below(3, random);
+  const int corners[5][2] = {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}, {x, y}};
+  for (int k = 0; k < 4; ++k)
+    edges.push_back({corners[k][0], corners[k][1], corners[k + 1][0], corners[k + 1][1], material, -1, group});
+  for (int k = 1 + below(3, random); k > 0; --k)
+    edges.push_back(patch_on(edges, edges.size() - 4 + static_cast<std::size_t>(below(4, random)), random));
+}
+
 std::vector<InputSegment> patched_scene(std::uint64_t seed) {
   Random random(seed);
   std::vector<InputSegment> edges = random_scene(seed, 5 + below(9, random), true).edges;
+  if (seed % 2 == 1) add_box(edges, random);
   for (int k = 1 + below(5, random); k > 0; --k)
     edges.push_back(patch_on(edges, static_cast<std::size_t>(below(static_cast<int>(edges.size()), random)), random));
   return edges;

@@ -122,7 +122,7 @@ class Settlement {
     const std::vector<Lying>& lying = result_.lying[piece];
     const std::set<std::size_t>& behind = makers(piece, !left);
     const bool something_looks_in = !behind.empty() && std::any_of(lying.begin(), lying.end(), [&](const Lying& l) {
-      return face_on(l, !left).material >= 0;
+      return face_on(l, !left).material >= 0 && !is_part(l.edge, lying, behind);
     });
     std::vector<Claim> faces;
     for (const Lying& l : lying) {
@@ -148,16 +148,32 @@ class Settlement {
     return groups;
   }
 
-  // The back of a patch that has none; what a patch there lies on, as it lies on it.
+  // Whether an edge is a patch on one of some groups there, or on such a patch.
+  bool is_part(std::size_t edge, const std::vector<Lying>& lying, const std::set<std::size_t>& groups) const {
+    return std::ranges::any_of(edges_[edge].on, [&](std::size_t base) {
+      const bool is_there = std::ranges::any_of(lying, [&](const Lying& l) { return l.edge == base; });
+      return (is_there && groups.contains(group_of_[base])) || is_part(base, lying, groups);
+    });
+  }
+
+  // Whether an edge is a patch on another one, or on such a patch.
+  bool rests_on(std::size_t edge, std::size_t base) const {
+    return std::ranges::any_of(edges_[edge].on,
+                               [&](std::size_t other) { return other == base || rests_on(other, base); });
+  }
+
+  // The back of a patch that has none; what a patch there lies on, as it lies on it; what a patch there with a back
+  // rests on.
   bool is_given_up(const Claim& face, const std::vector<Lying>& lying, bool left) const {
     const auto edge = static_cast<std::size_t>(face.label / 2);
     const bool is_back = face.label % 2 == 1;
     if (is_back && !edges_[edge].on.empty() && face.material < 0) return true;
     return std::ranges::any_of(lying, [&](const Lying& l) {
       const InputSegment& patch = edges_[l.edge];
-      if (std::ranges::find(patch.on, edge) == patch.on.end()) return false;
+      if (!rests_on(l.edge, edge)) return false;
       const Claim own = face_on(l, left);
-      return own.label % 2 == 0 ? patch.is_on_back == is_back : own.material >= 0 && patch.is_on_back != is_back;
+      if (own.label % 2 == 1) return own.material >= 0;
+      return std::ranges::find(patch.on, edge) != patch.on.end() && patch.is_on_back == is_back;
     });
   }
 
