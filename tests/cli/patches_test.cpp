@@ -266,8 +266,10 @@ TEST(PatchesByHand, AreInMeshesAndDecksWhatTheyAreInScenesHoweverCoordinatesAreR
       if (is_told) continue;
       std::map<std::string, double> file = factors_by_group(place, name + ending);
       for (const auto& [pair, factor] : scene) EXPECT_NEAR(file[pair], factor, 1e-9) << name << ending << " " << pair;
-      for (const auto& [pair, factor] : file)
-        if (!scene.contains(pair)) EXPECT_NEAR(factor, 0, 1e-9) << name << ending << " " << pair;
+      for (const auto& [pair, factor] : file) {
+        const double expected = scene.contains(pair) ? scene.at(pair) : 0;
+        EXPECT_NEAR(factor, expected, 1e-9) << name << ending << " " << pair;
+      }
     }
   }
 }

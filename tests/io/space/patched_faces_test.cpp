@@ -160,6 +160,7 @@ constexpr double kNear = 1e-9;
 
 TEST(PatchedFaces, SolidsAndAreasOutliveRounding) {
   std::mt19937 random(20260);  // NOLINT
+  int solid_decks = 0;
   for (int k = 0; k < 24; ++k) {
     const double angle = k % 8 == 0 ? 0 : static_cast<double>(random() % 1000) * std::numbers::pi / 500;
     const double tilt = k % 3 == 2 ? static_cast<double>(random() % 1000) * std::numbers::pi / 500 : 0;
@@ -174,11 +175,11 @@ TEST(PatchedFaces, SolidsAndAreasOutliveRounding) {
     const WrittenVs3Deck3 deck = write_vs3_3(scene, true);
     const Scene3 from_deck = parse_vs3_3(deck.text, "scene.vs3").scene;
     EXPECT_THAT(mesh.notes, Each(Not(HasSubstr("hollow")))) << k;
-    // A deck cannot say that pieces of a patch lie on pieces of what is not quite plane.
-    if (tilt != 0)
-      EXPECT_THAT(deck.notes, Contains(HasSubstr("hollow"))) << k;
-    else
-      EXPECT_TRUE(is_box_solid(from_deck)) << k;
+    // A deck cannot say that pieces of a patch lie on pieces of what is not quite plane, or comes later.
+    const bool is_told = std::ranges::any_of(
+        deck.notes, [](const std::string& note) { return note.find("hollow in the file") != std::string::npos; });
+    EXPECT_NE(is_box_solid(from_deck), is_told) << k;
+    solid_decks += is_told ? 0 : 1;
     EXPECT_TRUE(is_box_solid(from_mesh)) << k;
     for (const Scene3* again : {&from_mesh, &from_deck}) {
       if (!is_box_solid(*again)) continue;
@@ -187,6 +188,7 @@ TEST(PatchedFaces, SolidsAndAreasOutliveRounding) {
       for (const auto& [name, area] : expected) EXPECT_NEAR(found[name], area, kNear) << k << name;
     }
   }
+  EXPECT_GE(solid_decks, 6);
 }
 
 }  // namespace
