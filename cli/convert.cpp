@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +12,6 @@
 #include "geometry/name.h"
 #include "geometry/planarity.h"
 #include "geometry/space/scene/near_plane.h"
-#include "io/scene/exact_decimal.h"
 #include "io/scene/plane/map_reader.h"
 #include "io/scene/plane/svg_reader.h"
 #include "io/scene/scene_json.h"
@@ -63,15 +60,19 @@ void convert_map(const ConvertOptions& options, Streams& streams) {
   note_passed_over(passed_over, streams);
 }
 
-// What was plane but for the spacing of binary floats may be too far off for the digits that are written. number_text:
-// how the file holds a coordinate; nothing where it is no decimal.
-void note_lost_planes(const Scene3& scene,
-                      const std::function<std::optional<std::string>(const Rational&)>& number_text, Streams& streams) {
+// A scene file has fractions where they are shorter, and a fraction has no last digit.
+std::string scene_number(const Rational& value) {
+  std::string text = json_number(value);
+  std::erase(text, '"');
+  return text;
+}
+
+// What was plane but for the spacing of binary floats may be too far off for the digits that a scene file has.
+void note_lost_planes(const Scene3& scene, Streams& streams) {
   FinestDigit finest;
   for (const Polygon3& polygon : scene.polygons)
     for (const Point3& p : corners_of(polygon))
-      for (const Rational* coordinate : {&p.x, &p.y, &p.z})
-        if (const auto text = number_text(*coordinate)) finest.take(*text);
+      for (const Rational* coordinate : {&p.x, &p.y, &p.z}) finest.take(scene_number(*coordinate));
   std::vector<std::string> lost;
   for (std::size_t s = 0; s < scene.polygons.size(); ++s)
     if (Polygon3 polygon = scene.polygons[s]; polygon.is_nearly_plane && !accept_nearly_plane(polygon, finest.unit()))
@@ -81,15 +82,7 @@ void note_lost_planes(const Scene3& scene,
                              listed_names(lost)));
 }
 
-// A scene file has fractions where they are shorter, and a fraction has no last digit.
-std::string scene_number(const Rational& value) {
-  std::string text = json_number(value);
-  std::erase(text, '"');
-  return text;
-}
-
 void write_as_mesh(const ConvertOptions& options, MeshFormat3 format, const Scene3& scene, Streams& streams) {
-  if (format != MeshFormat3::kStl) note_lost_planes(scene, exact_decimal_text, streams);
   naming_file(options.in, [&] { write_mesh(options.out, format, scene, streams); });
 }
 
@@ -101,7 +94,7 @@ void convert_mesh(const ConvertOptions& options, Streams& streams) {
   note_passed_over(passed_over, streams);
   note_cuts(triangulator, streams);
   if (const auto format = mesh_format_3(options.out)) return write_as_mesh(options, *format, mesh.scene, streams);
-  note_lost_planes(mesh.scene, scene_number, streams);
+  note_lost_planes(mesh.scene, streams);
   streams.write(options.out, naming_file(options.in, [&] { return write_scene_3(mesh.scene); }));
   if (!mesh.invented.empty())
     streams.note(fmt::format("{}; {}", counted(mesh.scene.surfaces.size(), "polygon"),
@@ -113,7 +106,7 @@ void convert_scene(const ConvertOptions& options, Streams& streams) {
   if (format)
     return write_as_mesh(options, *format, read_scene_noting_3(options.in, options.polygons, streams), streams);
   const Scene scene = read_scene_noting(options.in, options.polygons, streams);
-  if (const auto* space = std::get_if<Scene3>(&scene)) note_lost_planes(*space, scene_number, streams);
+  if (const auto* space = std::get_if<Scene3>(&scene)) note_lost_planes(*space, streams);
   streams.write(options.out, naming_file(options.in, [&] {
                   const auto* plane = std::get_if<Scene2>(&scene);
                   return plane ? write_scene_2(*plane) : write_scene_3(std::get<Scene3>(scene));

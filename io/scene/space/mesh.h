@@ -41,6 +41,7 @@ struct Mesh3 {
   std::vector<MeshName3> groups, materials;
   std::map<std::string, Material> library;  // of all its MTL files, by name
   bool is_one_body = false;                 // its groups are parts of one (Group::body)
+  std::vector<std::string> bodies;          // what groups are parts of, as the file calls it; empty: each of none
   bool has_library = false;                 // it names an MTL file that is there
   std::vector<std::string> library_files;   // those that were read
   std::string missing_library;              // the first that it names and that is not there; empty: none

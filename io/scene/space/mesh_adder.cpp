@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <map>
 
 #include "geometry/name.h"
 #include "geometry/scene_names.h"
@@ -56,6 +57,19 @@ struct MeshAdder3::Adding {
     backs.push_back(back_of(its.name));
   }
 
+  // What the scene calls a body of the mesh.
+  const std::string& body(const Scene3& scene, const std::string& called) {
+    const auto [known, is_new] = bodies.try_emplace(called, called);
+    if (!is_new) return known->second;
+    const std::string wanted = name_problem(called).empty() ? called : "object";
+    const auto is_taken = [&](const std::string& name) {
+      return std::ranges::any_of(scene.groups, [&](const Group& group) { return group.body == name; });
+    };
+    known->second = wanted;
+    for (std::size_t k = 2; is_taken(known->second); ++k) known->second = wanted + "~" + std::to_string(k);
+    return known->second;
+  }
+
   std::optional<std::uint32_t> back_of(const std::string& group) const {
     const auto own = entry.backs.find(group);
     return own == entry.backs.end() ? entry.back : std::optional(own->second);
@@ -64,6 +78,7 @@ struct MeshAdder3::Adding {
   const Mesh3& mesh;
   const MeshEntry3& entry;
   std::vector<std::optional<std::uint32_t>> groups, materials, backs;
+  std::map<std::string, std::string> bodies;     // by what the file calls them
   std::vector<std::size_t> count;                // faces of each group so far
   std::optional<InputError> first_without_area;  // of its faces
   bool has_area = false;
@@ -122,6 +137,10 @@ std::uint32_t MeshAdder3::group_of(Adding& adding, const MeshFace3& face) {
   group = static_cast<std::uint32_t>(scene_.groups.size());
   scene_.groups.emplace_back(name, adding.entry.behind);
   if (adding.mesh.is_one_body) scene_.groups.back().body = adding.entry.name;
+  if (face.group && index < adding.mesh.bodies.size() && !adding.mesh.bodies[index].empty()) {
+    const std::string body = adding.body(scene_, adding.mesh.bodies[index]);
+    scene_.groups.back().body = body;
+  }
   return *group;
 }
 

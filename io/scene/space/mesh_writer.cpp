@@ -9,14 +9,20 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 
 #include "geometry/name.h"
+#include "geometry/planarity.h"
 #include "geometry/scene_names.h"
 #include "geometry/space/scene/near_plane.h"
 #include "geometry/space/scene/patches.h"
 #include "io/scene/exact_decimal.h"
+#include "io/scene/space/kept_solids.h"
+#include "io/scene/space/mesh_adder.h"
+#include "io/scene/space/mesh_objects.h"
 #include "io/scene/space/mesh_pieces.h"
+#include "io/scene/space/patched_faces.h"
 #include "kernel/decimal.h"
 #include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
@@ -106,26 +112,62 @@ class MeshWriter3 {
     note_materials();
     note_names();
     note_more();
+    note_solids(library);
     return std::move(result_);
   }
 
  private:
+  // Whether the file has a point as it is.
+  bool holds(const Point3& point) const {
+    for (const Rational* value : {&point.x, &point.y, &point.z}) {
+      if (format_ != MeshFormat3::kStl && !exact_decimal_text(*value)) return false;
+      if (format_ == MeshFormat3::kStl && exact_value(nearest_float(*value)) != *value) return false;
+    }
+    return true;
+  }
+
   void collect_faces() {
     const PatchCarriers3 carriers(scene_);
+    const PatchedFaces3 patched(carriers, [this](const Point3& point) { return holds(point); });
+    std::vector<std::vector<Polygon3>> left;
+    for (std::uint32_t s = 0; s < scene_.polygons.size(); ++s) left.push_back(patched.of({s, false}));  // fronts alone
+    const Rational unit = unit_of(left);
     for (std::uint32_t s = 0; s < scene_.polygons.size(); ++s) {
-      // A mesh has fronts alone.
-      const std::vector<Polygon3> left = beside_patches(carriers, {s, false});
-      if (left.empty()) covered_.push_back(scene_.surfaces[s].name);
-      if (left != std::vector{scene_.polygons[s]}) bases_.push_back(scene_.surfaces[s].name);
-      for (const Polygon3& polygon : left) add_polygon(s, polygon);
+      const std::string& name = scene_.surfaces[s].name;
+      const bool has_patches = !carriers.on({s, false}).empty();
+      if (left[s].empty()) covered_.push_back(name);
+      bool is_cut = !has_patches && left[s].size() > 1;
+      if (has_patches && left[s] != std::vector{scene_.polygons[s]}) bases_.push_back(name);
+      for (const Polygon3& polygon : left[s]) is_cut |= !add_polygon(s, polygon, unit);
+      cut_ += is_cut ? 1 : 0;
     }
   }
 
-  void add_polygon(std::uint32_t s, const Polygon3& polygon) {
-    const bool is_held = format_ != MeshFormat3::kStl || polygon.points.size() == 3;
-    if (is_held && polygon.facets.empty() && polygon.holes.empty()) return add_face(s, polygon);
-    ++cut_;
+  // What the last digit of the coordinates will stand for; asked only where something is nearly plane.
+  Rational unit_of(const std::vector<std::vector<Polygon3>>& faces) const {
+    if (format_ == MeshFormat3::kStl ||
+        std::ranges::none_of(scene_.polygons, [](const Polygon3& polygon) { return polygon.is_nearly_plane; }))
+      return 0;
+    FinestDigit finest;
+    for (const std::vector<Polygon3>& polygons : faces)
+      for (const Polygon3& polygon : polygons)
+        for (const Point3& p : corners_of(polygon))
+          for (const Rational* value : {&p.x, &p.y, &p.z}) finest.take(decimal_or_double(*value).text);
+    return finest.unit();
+  }
+
+  // Whether it is whole in the file.
+  bool add_polygon(std::uint32_t s, const Polygon3& polygon, const Rational& unit) {
+    bool is_held = format_ != MeshFormat3::kStl || polygon.points.size() == 3;
+    // What is nearly plane by fewer digits than the file has is none there.
+    if (Polygon3 again{polygon.points}; is_held && polygon.is_nearly_plane && !accept_nearly_plane(again, unit))
+      is_held = false;
+    if (is_held && polygon.facets.empty() && polygon.holes.empty()) {
+      add_face(s, polygon);
+      return true;
+    }
     for (const Polygon3& triangle : mesh_triangles(polygon)) add_face(s, triangle);
+    return false;
   }
 
   void add_face(std::uint32_t surface, const Polygon3& polygon) {
@@ -251,10 +293,15 @@ class MeshWriter3 {
       out += "mtllib " + library + "\n";
     }
     for (const std::string& text : text_) out += "v " + text + "\n";
+    const std::vector<std::string> objects = mesh_objects(scene_);
     std::optional<std::uint32_t> group, material;
     for (const WrittenFace& face : faces_) {
       const Surface& surface = scene_.surfaces[face.surface];
       if (group != surface.group) {
+        if (!objects.empty() && (!group || objects[*group] != objects[surface.group])) {
+          require_holds(objects[surface.group], "an object");
+          out += "o " + objects[surface.group] + "\n";
+        }
         group = surface.group;
         require_holds(scene_.groups[*group].name, "a group");
         out += "g " + scene_.groups[*group].name + "\n";
@@ -387,13 +434,30 @@ class MeshWriter3 {
     add(scene_.closed, "the promise \"closed\"");
     add(std::any_of(scene_.surfaces.begin(), scene_.surfaces.end(), [](const Surface& s) { return s.elements != 1; }),
         "elements");
-    add(std::ranges::any_of(scene_.groups, [](const Group& g) { return !g.body.empty(); }), "what is one body");
+    add(format_ != MeshFormat3::kObj &&
+            std::ranges::any_of(scene_.groups, [](const Group& g) { return !g.body.empty(); }),
+        "what is one body");
     add(scene_.grid.has_value(), "the grid");
     add(scene_.camera.has_value(), "the camera");
     add(!scene_.expect.empty(), "expectations");
     add(!scene_.about.empty(), "the text about the scene");
     add(!scene_.unit.empty(), "the unit of length");
     if (!lost.empty()) result_.notes.push_back("also not in the file: " + lost);
+  }
+
+  // Only patches and lost groups change what is solid.
+  void note_solids(const std::string& library) {
+    const bool has_groups = format_ == MeshFormat3::kObj;
+    if (std::ranges::none_of(scene_.surfaces, [&](const Surface& s) {
+          return s.on || (!has_groups && s.group != scene_.surfaces[0].group);
+        }))
+      return;
+    const auto read = [&] {
+      return scene_of(parse_mesh_3(format_, result_.bytes, library, [&](const auto&) { return result_.library; }))
+          .scene;
+    };
+    std::ranges::move(notes_on_solids(scene_, read, [](const std::string& name) { return name; }),
+                      std::back_inserter(result_.notes));
   }
 
   const Scene3& scene_;
@@ -404,7 +468,7 @@ class MeshWriter3 {
   std::vector<const Point3*> points_;      // keys of index_, each once, in the order of the faces
   std::vector<std::uint32_t> first_face_;  // of each point: a surface that has it
   std::vector<WrittenFace> faces_;
-  std::size_t cut_ = 0;                       // polygons
+  std::size_t cut_ = 0;                       // polygons, not counting what patches cut
   std::vector<std::string> bases_, covered_;  // of patches; wholly covered by them
 
   std::vector<std::string> text_;          // of each point

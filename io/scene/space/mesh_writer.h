@@ -26,7 +26,10 @@ struct WrittenMesh3 {
 //       tells how many, which one most and by how much, and which polygons are none any more
 //   (3) OBJ holds groups, and materials in its MTL file, which is left out where a mesh without one has the same ones.
 //       The others hold neither. What is lost is noted: materials, backs, names, and what else a mesh does not say
-//   (4) what patches leave of a front is cut into convex faces; patches are faces as all are
+//   (4) what patches leave of a front is cut into convex faces; patches are faces as all are. Where corners of them are
+//       rounded they are cut into triangles, so that what lies back to back still does so (PatchedFaces3)
+//   (5) what is solid in the scene and not in the file, as it is read again, is noted. OBJ has objects for what closes
+//       only together with its patches, and for bodies (mesh_objects)
 //
 // REQUIRES: validate(scene) holds. Throws RequestError for a coordinate beyond the numbers of the format, names that an
 // OBJ file cannot hold, obstructions, and no polygons. COST: n log n.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <map>
 
 #include "geometry/name.h"
 #include "geometry/planarity.h"
@@ -39,10 +40,17 @@ class ObjReader3 {
     while (at_.next()) read_statement();
     if (mesh_.faces.empty()) throw InputError({mesh_.file, 0}, "has no faces");
     mesh_.unit = finest_.unit();
+    name_bodies();
     return std::move(mesh_);
   }
 
  private:
+  // The objects that the faces of a group are of: none, one, or several.
+  struct ObjectsOfGroup {
+    std::string first;
+    bool are_several = false;
+  };
+
   // A name in force, and its index once a face has it.
   struct Current {
     MeshName3 name;  // empty: none
@@ -54,7 +62,8 @@ class ObjReader3 {
     const std::string_view keyword = at_.keyword();
     if (keyword == "v") return read_vertex();
     if (keyword == "f") return read_face();
-    if (keyword == "g" || keyword == "o") return set_group();
+    if (keyword == "o") object_ = name_of_words();
+    if (keyword == "g" || keyword == "o") return set(group_, name_of_words(), std::string(at_.raw_rest()));
     if (keyword == "usemtl") return set(material_, std::string(at_.rest()));
     if (keyword == "mtllib") return read_libraries();
     if (is_one_of(keyword, kPassedOver)) return;
@@ -108,6 +117,7 @@ class ObjReader3 {
     face.polygon.points.reserve(words.size());
     for (const std::string_view word : words) face.polygon.points.push_back(points_[vertex(word)]);
     face.group = used(group_, group_names_, mesh_.groups);
+    if (face.group) note_object(*face.group);
     face.material = used(material_, material_names_, mesh_.materials);
     face.line = at_.line();
     mesh_.faces.push_back(std::move(face));
@@ -118,10 +128,24 @@ class ObjReader3 {
   }
 
   // What is typed decides which group it is; its name has no comment, and one blank between words.
-  void set_group() {
+  std::string name_of_words() const {
     std::string name;
     for (const std::string_view word : at_.words()) name += (name.empty() ? "" : " ") + std::string(word);
-    set(group_, std::move(name), std::string(at_.raw_rest()));
+    return name;
+  }
+
+  void note_object(std::uint32_t group) {
+    if (group == objects_.size()) return objects_.push_back({object_});
+    objects_[group].are_several |= objects_[group].first != object_;
+  }
+
+  // Groups are parts of the object that all their faces are of, where it has others.
+  void name_bodies() {
+    std::map<std::string, std::size_t> groups;
+    for (const ObjectsOfGroup& of : objects_)
+      if (!of.are_several) ++groups[of.first];
+    for (const ObjectsOfGroup& of : objects_)
+      mesh_.bodies.push_back(!of.are_several && groups.at(of.first) > 1 ? of.first : "");
   }
 
   void set(Current& current, std::string name) { set(current, name, name); }
@@ -177,6 +201,8 @@ class ObjReader3 {
   std::vector<Point3> points_;
   FinestDigit finest_;  // of these
   Current group_, material_;
+  std::string object_;                   // in force; empty: none
+  std::vector<ObjectsOfGroup> objects_;  // by group
   MeshNames3 group_names_, material_names_;
   std::vector<std::filesystem::path> libraries_;
 };

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <unordered_map>
 
 #include "geometry/name.h"
 #include "geometry/space/scene/near_plane.h"
+#include "geometry/space/scene/patch_seats.h"
 #include "geometry/space/scene/plane_frame.h"
 #include "io/files/text_file.h"
 #include "io/scene/space/vs3_deck.h"
@@ -32,11 +34,13 @@ class SceneOfDeck3 {
     scene().closed = deck_.is_enclosure;
     name_records();
     accept_digits();
+    seat_subsurfaces();
     for (std::size_t k = 0; k < records_.size(); ++k) check(k);
     cut_bases();
     for (std::size_t k = 0; k < records_.size(); ++k) add(k);
     if (scene().surfaces.empty())
       throw InputError({deck_.file, records_.front().line}, "nothing is left of any surface");
+    join_bodies();
     validate(scene());
     take_output();
     add_notes();
@@ -74,6 +78,30 @@ class SceneOfDeck3 {
     for (std::size_t k = 0; k < is_base.size(); ++k)
       if (Vs3Record3& record = deck_.records[k]; is_base[k] == 0 && record.base == 0)
         accept_nearly_plane(record.polygon, deck_.unit);
+  }
+
+  // What lies on others is put into their planes, as patches are. What lies on none that can be a base is refused
+  // later.
+  void seat_subsurfaces() {
+    Scene3 seated;
+    seated.materials.resize(1);
+    for (std::size_t k = 0; k < deck_.records.size(); ++k) {
+      const Vs3Record3& record = deck_.records[k];
+      Surface surface;
+      surface.name = std::to_string(k + 1);
+      surface.group = static_cast<std::uint32_t>(k);
+      if (record.base >= 1 && record.base <= deck_.records.size() && record.base != k + 1) {
+        const bool faces_it = record.kind == Vs3Kind3::kMask || record.kind == Vs3Kind3::kNull;
+        surface.on = static_cast<std::uint32_t>(seated.bases.size());
+        seated.bases.push_back({std::to_string(record.base), faces_it});
+      }
+      seated.groups.emplace_back(surface.name);
+      seated.add(std::move(surface), record.polygon);
+    }
+    if (seated.bases.empty()) return;
+    seat_patches(seated, deck_.unit);
+    for (std::size_t k = 0; k < deck_.records.size(); ++k)
+      if (deck_.records[k].base != 0) deck_.records[k].polygon = std::move(seated.polygons[k]);
   }
 
   void check(std::size_t k) const {
@@ -171,7 +199,7 @@ class SceneOfDeck3 {
     surface.line = record.line;
     surface.is_obstruction = record.kind == Vs3Kind3::kNull || record.kind == Vs3Kind3::kObstruction;
     if (!surface.is_obstruction) surface.material = material_of(record.emittance);
-    const std::size_t leader = record.combined_with == 0 ? k : record.combined_with - 1;
+    const std::size_t leader = leader_of(k);
     const auto [group, is_new] = groups_.emplace(leader, static_cast<std::uint32_t>(scene().groups.size()));
     if (is_new) scene().groups.emplace_back(names_[leader]);
     surface.group = group->second;
@@ -181,6 +209,43 @@ class SceneOfDeck3 {
     place_.emplace(k, static_cast<std::uint32_t>(scene().surfaces.size()));
     if (record.kind == Vs3Kind3::kMask) scene().masks.push_back({place_[k], place_.at(record.base - 1)});
     scene().add(std::move(surface), std::move(outlines_[k]));
+  }
+
+  // A base has a hole where its subsurface is: what is combined with either can close with both together only. Nothing
+  // closes in which no three surfaces are combined.
+  void join_bodies() {
+    std::vector<std::uint32_t> parent(scene().groups.size());
+    std::iota(parent.begin(), parent.end(), 0u);
+    const auto first = [&](std::uint32_t g) {
+      while (parent[g] != g) g = parent[g];
+      return g;
+    };
+    std::vector<std::size_t> combined(records_.size());
+    for (std::size_t k = 0; k < records_.size(); ++k) ++combined[leader_of(k)];
+    std::vector<char> may_close(parent.size(), 0);
+    // Of a base that is covered wholly the group may be none of the scene.
+    const auto group_of = [&](std::size_t k) {
+      const auto found = groups_.find(leader_of(k));
+      return found == groups_.end() ? std::nullopt : std::optional(found->second);
+    };
+    for (std::size_t k = 0; k < records_.size(); ++k) {
+      const auto own = group_of(k);
+      if (own && combined[leader_of(k)] >= 3) may_close[first(*own)] = 1;
+      if (!own || records_[k].kind != Vs3Kind3::kSurface || records_[k].base == 0) continue;
+      const std::size_t base = records_[k].base - 1;
+      const auto under = group_of(base);
+      if (!under || records_[base].kind != Vs3Kind3::kSurface || first(*under) == first(*own)) continue;
+      may_close[first(*under)] = static_cast<char>(may_close[first(*under)] | may_close[first(*own)]);
+      parent[first(*own)] = first(*under);
+    }
+    std::vector<std::size_t> count(parent.size());
+    for (std::uint32_t g = 0; g < parent.size(); ++g) ++count[first(g)];
+    for (std::uint32_t g = 0; g < parent.size(); ++g)
+      if (count[first(g)] > 1 && may_close[first(g)] != 0) scene().groups[g].body = scene().groups[first(g)].name;
+  }
+
+  std::size_t leader_of(std::size_t k) const {
+    return records_[k].combined_with == 0 ? k : records_[k].combined_with - 1;
   }
 
   std::uint32_t material_of(const Rational& emittance) {

@@ -39,8 +39,10 @@ struct Vs3Scene3 {
 //   (3) O and N: an obstruction, opaque and without rows, called O~NUMBER or as (1) says
 //   (4) M: a surface as S, and a mask of its base (Mask3)
 //   (5) surfaces that are combined are a group, called after the one with which they are; others are groups of their
-//       own
-//   (6) encl=1 is the promise that the scene is closed
+//       own. Groups whose surfaces lie on each other are of one body (Group::body), where three records of one of them
+//       are combined
+//   (6) what has a base is put onto it exactly, as patches are (seat_patches)
+//   (7) encl=1 is the promise that the scene is closed
 //
 // Throws InputError with file and line as parse_vs3_deck_3 and validate do; for a surface that is no polygon, lies not
 // in the plane of its base or within it, or faces the wrong way; for a base or a partner that cannot be one; for a mask

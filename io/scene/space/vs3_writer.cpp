@@ -14,7 +14,10 @@
 #include "geometry/space/scene/patches.h"
 #include "geometry/space/scene/plane_frame.h"
 #include "io/scene/exact_decimal.h"
+#include "io/scene/space/kept_solids.h"
 #include "io/scene/space/mesh_pieces.h"
+#include "io/scene/space/patched_faces.h"
+#include "io/scene/space/vs3_reader.h"
 #include "kernel/support/failure.h"
 #include "kernel/written_double.h"
 
@@ -45,8 +48,9 @@ bool have_the_same_corners(const std::vector<Point3>& a, const std::vector<Point
          });
 }
 
-// Whether a record can say it: a triangle or a convex quadrilateral, its holes aside.
+// Whether a record can say it: a triangle or a convex quadrilateral, its holes aside. What is nearly plane is cut.
 bool is_one_record(const Polygon3& polygon) {
+  if (polygon.is_nearly_plane) return false;
   const Polygon3 outline{polygon.points};
   return is_convex(outline) && polygon.points.size() <= 4 && pieces_of(outline)[0] == outline;
 }
@@ -117,29 +121,58 @@ std::string title_of(const std::string& about) {
   return title.substr(0, end);
 }
 
-// The faces of patches that a face can be the base of: all that take something of it, where each is a later single
-// record within it, and no two share an area; empty where one of them is not so.
-std::vector<Face> subsurfaces_of(const PatchCarriers3& carriers, const Face& face) {
-  const Scene3& scene = carriers.scene();
-  if (!is_one_record(scene.polygons[face.surface]) || !scene.polygons[face.surface].holes.empty()) return {};
-  const PlaneFrame3 frame(scene.polygons[face.surface].points);
-  std::vector<Face> found;
-  std::vector<std::vector<FlatPoint3>> outlines;
-  for (const std::uint32_t t : carriers.on(face)) {
-    const Face patch{t, carriers.bases().is_on_backs(t) != face.is_back};
-    const Polygon3& polygon = scene.polygons[t];
-    if (PlaneFrame3(polygon.points).key() != frame.key()) continue;
-    std::vector<FlatPoint3> outline = frame.outline(polygon.points);
-    const auto shares = [&](const std::vector<FlatPoint3>& other) { return !common_part(outline, other).empty(); };
-    if (is_convex(polygon) && !shares(frame.outline(scene.polygons[face.surface].points))) continue;
-    const auto is_within = [&](const Point3& p) { return contains(scene.polygons[face.surface], p); };
-    if (t < face.surface || !is_one_record(polygon) || !polygon.holes.empty() ||
-        !std::ranges::all_of(polygon.points, is_within) || std::ranges::any_of(outlines, shares))
-      return {};
-    outlines.push_back(std::move(outline));
-    found.push_back(patch);
+// Whether patches can be subsurfaces of what they lie on.
+class Subsurfaces3 {
+ public:
+  explicit Subsurfaces3(const PatchCarriers3& carriers) : carriers_(carriers) {}
+
+  // The faces of patches that a face is the base of: all that take something of it, where each is a later single record
+  // within it, with subsurfaces of its own or none, and no two share an area; nothing where one of them is not so.
+  std::optional<std::vector<Face>> of(const Face& face) const {
+    std::vector<Face> found;
+    const Scene3& scene = carriers_.scene();
+    const std::vector<std::uint32_t> patches = carriers_.on(face);
+    if (patches.empty()) return found;
+    const Polygon3& base = scene.polygons[face.surface];
+    if (!is_one_record(base) || !base.holes.empty()) return std::nullopt;
+    const PlaneFrame3 frame(base.points);
+    std::vector<std::vector<FlatPoint3>> outlines;
+    for (const std::uint32_t t : patches) {
+      const Face patch{t, carriers_.bases().is_on_backs(t) != face.is_back};
+      const Polygon3& polygon = scene.polygons[t];
+      if (polygon.is_nearly_plane) return std::nullopt;
+      if (PlaneFrame3(polygon.points).key() != frame.key()) continue;
+      std::vector<FlatPoint3> outline = frame.outline(polygon.points);
+      const auto shares = [&](const std::vector<FlatPoint3>& other) { return !common_part(outline, other).empty(); };
+      if (is_convex(polygon) && !shares(frame.outline(base.points))) continue;
+      const auto is_within = [&](const Point3& p) { return contains(base, p); };
+      if (t < face.surface || !is_one_record(polygon) || !polygon.holes.empty() ||
+          !std::ranges::all_of(polygon.points, is_within) || std::ranges::any_of(outlines, shares) || !of(patch))
+        return std::nullopt;
+      outlines.push_back(std::move(outline));
+      found.push_back(patch);
+    }
+    return found;
   }
-  return found;
+
+  // Whether a surface is written as it is, and all patches on it as subsurfaces: not where one lies on a back that is
+  // not written.
+  bool says(std::uint32_t s) const {
+    const Scene3& scene = carriers_.scene();
+    if (!is_one_record(scene.polygons[s]) || scene.surfaces[s].is_obstruction || !of({s, false})) return false;
+    if (scene.surfaces[s].back) return of({s, true}).has_value();
+    for (std::uint32_t t = 0; t < scene.surfaces.size(); ++t)
+      if (carriers_.bases().lies_on(t, s) && (carriers_.bases().is_on_backs(t) || scene.surfaces[t].back)) return false;
+    return true;
+  }
+
+ private:
+  const PatchCarriers3& carriers_;
+};
+
+bool is_held(const Rational& value) {
+  const auto text = exact_decimal_text(value);
+  return text && text->size() <= kMostOfNumber;
 }
 
 class DeckWriter3 {
@@ -147,6 +180,10 @@ class DeckWriter3 {
   DeckWriter3(const Scene3& scene, bool combines_groups)
       : scene_(scene),
         carriers_(scene),
+        subsurfaces_(carriers_),
+        patched_(
+            carriers_, [](const Point3& p) { return is_held(p.x) && is_held(p.y) && is_held(p.z); },
+            [this](std::uint32_t s) { return subsurfaces_.says(s); }),
         combines_groups_(combines_groups),
         leaders_(2 * scene.groups.size()),
         base_of_(2 * scene.surfaces.size()),
@@ -168,6 +205,9 @@ class DeckWriter3 {
     deck.text += fmt::format("C encl={}\nF 3\n!  #   x y z\n", scene_.closed ? 1 : 0);
     deck.text += vertices_ + "!  #   v1 v2 v3 v4   base cmb   emit   name\n" + records_ + "End\n";
     add_notes(deck.notes);
+    std::ranges::move(notes_on_solids(
+                          scene_, [&] { return parse_vs3_3(deck.text, "deck.vs3").scene; }, word_of),
+                      std::back_inserter(deck.notes));
     return deck;
   }
 
@@ -175,9 +215,9 @@ class DeckWriter3 {
   void add_face(std::size_t s, bool is_back) {
     const Surface& surface = scene_.surfaces[s];
     const Face face{static_cast<std::uint32_t>(s), is_back};
-    const std::vector<Face> subsurfaces = subsurfaces_of(carriers_, face);
-    const std::vector<Polygon3> left =
-        subsurfaces.empty() ? beside_patches(carriers_, face) : std::vector{scene_.polygons[s]};
+    const bool is_left = patched_.leaves(face.surface);
+    const std::vector<Face> subsurfaces = is_left ? *subsurfaces_.of(face) : std::vector<Face>();
+    const std::vector<Polygon3> left = is_left ? std::vector{scene_.polygons[s]} : patched_.of(face);
     if (left.empty()) return covered_.push_back(surface.name);
     for (const Face& patch : subsurfaces) base_of_[patch.number()] = count_ + 1;
     const bool leads = combines_groups_ && !leaders_[2 * surface.group + is_back];
@@ -185,7 +225,8 @@ class DeckWriter3 {
     const std::string name = word_of(own);
     changed_names_ += name != own;
     const std::string emittance = emittance_of(s, is_back);
-    const std::vector<std::size_t> fillers = is_back ? std::vector<std::size_t>() : fillers_of(scene_, s);
+    const std::vector<std::size_t> fillers =
+        is_back || patched_.cuts(face.surface) ? std::vector<std::size_t>() : fillers_of(scene_, s);
     for (const std::size_t t : fillers) {
       base_of_[2 * t] = count_ + 1;
       if (scene_.surfaces[t].is_obstruction) normal_of_base_[t] = doubled_area(scene_.polygons[s]);
@@ -315,6 +356,8 @@ class DeckWriter3 {
 
   const Scene3& scene_;
   const PatchCarriers3 carriers_;
+  const Subsurfaces3 subsurfaces_;
+  const PatchedFaces3 patched_;
   const bool combines_groups_;
   std::string vertices_, records_;
   std::size_t count_ = 0, backs_ = 0, changed_names_ = 0;

@@ -30,8 +30,10 @@ struct WrittenVs3Deck3 {
 //   (6) a scene that is promised to be closed has encl=1
 //   (7) polygons are as listed: overlaps are not settled, and solids cover nothing
 //   (8) a mask is an M record
-//   (9) a patch is a subsurface of what it lies on, where both are one record and all patches there are so, each beside
-//       the others and after its base; else the base is cut into what patches leave of it. The same of backs
+//   (9) a patch is a subsurface of what it lies on, where it and all that lies on each other there are one record each,
+//       beside the others and after its base, and none lies on a back without a material; else each is cut into what
+//       patches leave of it, as PatchedFaces3 has it where corners are rounded
+//  (10) what is solid in the scene and not in the deck, as it is read again, is noted
 //
 // What is rounded, cut or left out is noted, and which surfaces have less than (7) says.
 // REQUIRES: validate(scene) holds. Throws RequestError for a coordinate beyond the range of doubles, and for a mask

@@ -166,6 +166,22 @@ TEST(ObjReader, WhatIsTypedAfterGDecidesWhichGroupItIs) {
             (std::vector<std::string>{"A~2 A~2[0]", "A A[0]", "A~3 A~3[0]"}));
 }
 
+// A group all of whose faces are of one object is a part of that, if the object has others.
+TEST(ObjReader, GroupsOfAnObjectAreOneBody) {
+  const auto bodies = [](const std::string& text) {
+    std::vector<std::string> result;
+    for (const Group& group : read(kSquare + text).scene.groups) result.push_back(group.name + " " + group.body);
+    return result;
+  };
+  const std::string f = "f 1 2 3\n";
+  EXPECT_THAT(bodies("g a\n" + f + "g b\n" + f), ElementsAre("a ", "b "));
+  EXPECT_THAT(bodies("o a\n" + f + "o b\n" + f), ElementsAre("a ", "b "));
+  EXPECT_THAT(bodies("o box\n" + f + "g door\n" + f + "o table\n" + f), ElementsAre("box box", "door box", "table "));
+  EXPECT_THAT(bodies("o box\ng a\n" + f + "g b\n" + f + "g c\n" + f + "o rest\ng a\n" + f),
+              ElementsAre("a ", "b box", "c box"));
+  EXPECT_THAT(bodies("o sky\ng a\n" + f + "g b\n" + f), ElementsAre("a object", "b object"));
+}
+
 TEST(ObjReader, PassesOverLinesAndPoints) {
   PassedOver passed_over;
   const Mesh3 mesh = parse_obj_3(kSquare + "l 1 2\np 3\nf 1 2 3\nl 9\n", "in/room.obj", source_of({}));

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/space/arrangement/solids.h"
 #include "io/scene/scene_json.h"
 #include "io/scene/space/vs3_deck.h"
 #include "kernel/support/failure.h"
@@ -279,10 +280,36 @@ TEST(Vs3Reader, OtherAnglesHaveRationalSinesSoThatQuadrilateralsStayPlane) {
   EXPECT_NEAR(to_double(normal.z), 12 * 0.49242356010346718, 1e-14);
 }
 
+// As patches are, by planarity.h.
+TEST(Vs3Reader, PutsSubsurfacesIntoThePlaneOfTheirBaseExactly) {
+  const std::string deck = kSquares + "V 13 .25 .25 1e-16\nV 14 1.0000000000000002 0 1e-16\nS 1 1 2 3 4 0 0 .5 wall\n";
+  EXPECT_THAT(lines(read(deck + "S 2 13 6 7 0 1 0 .5 window\n").scene),
+              ElementsAre("wall: 0,0,0 1,0,0 1,1,0 0,1,0 | 1/4,1/4,0 1/2,1/4,0 1/2,1/2,0",
+                          "window: 1/4,1/4,0 1/2,1/4,0 1/2,1/2,0"));
+  EXPECT_THAT(lines(read(deck + "S 2 13 14 7 0 1 0 .5 window\n").scene)[1], "window: 1/4,1/4,0 1,0,0 1/2,1/2,0");
+  const Scene3 mask = read(deck + "M 2 7 6 13 0 1 0 .5 foot\n").scene;
+  EXPECT_THAT(lines(mask)[1], "foot: 1/2,1/2,0 1/2,1/4,0 1/4,1/4,0");
+}
+
+// A base closes with its subsurface only, which is a group of its own.
+TEST(Vs3Reader, WhatIsCombinedClosesWithItsSubsurfaces) {
+  const std::string deck =
+      "F 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 0 1 0\nV 4 0 0 1\nV 5 .25 0 .25\nV 6 .5 0 .25\nV 7 .25 0 .5\n"
+      "S 1 1 3 2 0 0 0 .5 body\nS 2 1 2 4 0 0 1 .5 south\nS 3 1 4 3 0 0 1 .5 west\nS 4 2 3 4 0 0 1 .5 slope\n"
+      "S 5 5 6 7 0 2 0 .2 window\n";
+  const Scene3 scene = read(deck).scene;
+  ASSERT_EQ(scene.groups.size(), 2u);
+  for (const Group& group : scene.groups) EXPECT_EQ(group.body, "body");
+  const Solids3 solids(scene);
+  ASSERT_NE(solids.mesh_of(0), nullptr);
+  EXPECT_EQ(solids.mesh_of(0)->kind, ClosedMesh3::Kind::kSolid);
+  EXPECT_EQ(solids.mesh_of(1), solids.mesh_of(0));
+}
+
 TEST(Vs3Reader, RefusesSubsurfacesThatAreNone) {
-  const std::string deck = kSquares + "V 13 .25 .25 1e-9\nV 14 2 0 0\nS 1 1 2 3 4 0 0 .5 wall\n";
+  const std::string deck = kSquares + "V 13 .25 .25 .1\nV 14 2 0 0\nS 1 1 2 3 4 0 0 .5 wall\n";
   EXPECT_EQ(refusal(deck + "S 2 13 6 7 0 1 0 .5 window\n"),
-            "in/room.vs3:17: surface 2 'window' is not in the plane of its base, surface 1 'wall': it lies 1e-09 off");
+            "in/room.vs3:17: surface 2 'window' is not in the plane of its base, surface 1 'wall': it lies 0.1 off");
   EXPECT_EQ(refusal(deck + "S 2 5 14 7 0 1 0 .5 window\n"),
             "in/room.vs3:17: surface 2 'window' is not within its base, surface 1 'wall'");
   EXPECT_EQ(refusal(deck + "S 2 8 7 6 5 1 0 .5 window\n"),
