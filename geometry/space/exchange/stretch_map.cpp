@@ -172,7 +172,8 @@ void StretchMapper3::join_bodies() {
     is_joined_[patch] = true;
     whole_.clear();
     for (const std::uint32_t number : between_[patch])
-      if (number < bodies_.end_of_between() && !bodies_.of_body[number][patch].has_behind) whole_.push_back(number);
+      if (bodies_.hides_joined && number < bodies_.end_of_between() && !bodies_.of_body[number][patch].has_behind)
+        whole_.push_back(number);
     joined_.join(whole_, planes_.toward(), groups_[patch]);
     group_of_[patch].assign(bodies_.count() + bodies_.solids.size(), kNoGroup);
     for (std::uint32_t g = 0; g < groups_[patch].size(); ++g)
