@@ -32,6 +32,28 @@ void MovingCutter3::set_cone(const PairBodies3::Solid& solid, std::span<const si
   }
 }
 
+// As JoinedBodies3 says: each body is seen from its side, and the outline turns left at each corner.
+bool MovingCutter3::set_cone(const JoinedBodies3::Group& group, bool is_antipodal, Cone& cone) {
+  cone.is_antipodal = is_antipodal;
+  cone.sides.clear();
+  cone.corners.clear();
+  for (std::size_t k = 0; k < group.bodies.size(); ++k)
+    if (planes_.facing(group.bodies[k]) != group.facings[k]) return false;
+  for (std::size_t k = 0; k < group.outline.size(); ++k) {
+    const JoinedBodies3::Side& side = group.outline[k];
+    const JoinedBodies3::Side& next = group.outline[k + 1 == group.outline.size() ? 0 : k + 1];
+    // Passed as its corners run where its back is seen.
+    const bool is_back = planes_.bodies().bodies[side.body].corners[side.side] == side.from;
+    const PlaneSide3 inside = planes_.cone_side(side.body, side.side, is_back ? -1 : 1, false);
+    const std::span<const std::uint32_t> corner{&next.to, 1};
+    if (!planes_.is_any_positive(corner, inside)) return false;
+    planes_.rely(corner, inside);
+    cone.sides.push_back(is_antipodal ? inside.opposite() : inside);
+    cone.corners.push_back(side.from);
+  }
+  return true;
+}
+
 void MovingCutter3::set_fragment(const Cone& cone, int facing, MovingFragment3& fragment) const {
   const std::vector<std::uint32_t>& corners = cone.corners;
   const std::size_t count = corners.size();

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/space/exchange/joined_bodies.h"
 #include "geometry/space/exchange/moving_planes.h"
 
 namespace hottel {
@@ -49,6 +50,8 @@ class MovingCutter3 {
   // Of a solid. REQUIRES: `facings` are those of its faces, and one at least is seen from outside.
   void set_cone(const PairBodies3::Solid& solid, std::span<const signed char> facings, bool is_antipodal,
                 Cone& cone) const;
+  // Of joined bodies, and relies on its being one. False where it is none: `cone` is then any.
+  bool set_cone(const JoinedBodies3::Group& group, bool is_antipodal, Cone& cone);
   // REQUIRES: it is the cone of one body.
   void set_fragment(const Cone& cone, int facing, MovingFragment3& fragment) const;
 

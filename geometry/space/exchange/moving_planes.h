@@ -48,6 +48,8 @@ class MovingPlanes3 {
   double left() const { return left_; }
   double right() const { return right_; }
   bool is_unlucky() const { return is_unlucky_; }
+  // The ways to all points, each times a positive number.
+  std::span<const BoundedVector> toward() const { return toward_; }
 
   // The planes.
   // The plane of a body. REQUIRES: the point is in it.

@@ -64,6 +64,7 @@ struct PairBodies3 {
   std::vector<Point> points;
   std::vector<Body> bodies;
   std::vector<Solid> solids;
+  bool hides_joined = false;                          // whether what hangs together hides as one too (JoinedBodies3)
   std::array<Side, 2> patch_sides;                    // of patch 0 beside the plane of patch 1, and the other way round
   std::vector<std::array<Side, 2>> of_body{{}, {}};   // body k beside the planes of the patches
   std::vector<std::array<Side, 2>> of_patch{{}, {}};  // the patches beside the plane of body k

@@ -29,6 +29,7 @@ PairSetting3::PairSetting3(const Blockers3& blockers, const SurfaceBoxes3& boxes
     : bodies(blockers, i, j),
       reach_(boxes.reach()),
       solids_(first_met == nullptr ? nullptr : &first_met->hiders().bodies()) {
+  bodies.hides_joined = first_met != nullptr;
   if (!can_see(i, j)) return;
   find_hull(blockers.vertices());
   Box3 box = box_of(blockers.vertices(), i);
@@ -57,6 +58,7 @@ PairSetting3::PairSetting3(const Blockers3& blockers, const SurfaceBoxes3& boxes
 
 PairSetting3::PairSetting3(const Blockers3& blockers, const PairSetting3& whole, const Patch3& i, const Patch3& j)
     : bodies(blockers, i, j), left_out(whole.left_out), reach_(whole.reach_), solids_(whole.solids_) {
+  bodies.hides_joined = whole.bodies.hides_joined;
   if (!can_see(i, j)) return;
   find_hull(blockers.vertices());
   std::vector<std::uint32_t> near;

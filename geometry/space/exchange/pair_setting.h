@@ -26,7 +26,8 @@ struct HullHalfSpace3 {
 //   (3) clear iff none is among the bodies
 //
 // Where it is known which surfaces are never first from patch i (FirstMet3) these are left out, as if they were not
-// there: what the others hide is all that is hidden. And convex bodies hide as one (PairBodies3::Solid).
+// there: what the others hide is all that is hidden. And convex bodies hide as one (PairBodies3::Solid), and what hangs
+// together (PairBodies3::hides_joined).
 struct PairSetting3 {
   PairBodies3 bodies;
   Sight3 sight = Sight3::kHidden;

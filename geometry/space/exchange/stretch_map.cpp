@@ -15,6 +15,9 @@ constexpr double kHarmless = 1e-13;
 constexpr double kLeast = 0x1p-51;
 constexpr std::uint32_t kMostPieces = 20000;
 
+constexpr std::uint32_t kNoGroup = 0xffffffff;
+enum TakenGroup : char { kNotYet, kAsOne, kOneByOne };
+
 // A place in an interval that has few bits.
 double short_place(double low, double high, double share) {
   const double place = low + share * (high - low);
@@ -44,6 +47,7 @@ StretchMapper3::StretchMapper3(const PairBodies3& bodies)
       cutter_(planes_),
       hull_(bodies),
       cover_(bodies),
+      joined_(bodies),
       solid_of_(bodies.count(), PairBodies3::Solid::kNone) {
   for (std::uint32_t solid = 0; solid < bodies.solids.size(); ++solid)
     for (const std::uint32_t face : bodies.solids[solid].faces) solid_of_[face] = solid;
@@ -158,6 +162,23 @@ void StretchMapper3::find_bodies(const PairStretch3& stretch) {
     }
     cover_.narrow(stretch.line(), stretch.low, stretch.high, between_[patch]);
   }
+  is_joined_ = {};
+}
+
+// As seen from where the stretch is looked at: of what is before all of a patch, so that it hides wherever it is seen.
+void StretchMapper3::join_bodies() {
+  for (std::uint32_t patch = 0; patch < 2; ++patch) {
+    if (is_joined_[patch]) continue;
+    is_joined_[patch] = true;
+    whole_.clear();
+    for (const std::uint32_t number : between_[patch])
+      if (bodies_.hides_joined && number < bodies_.end_of_between() && !bodies_.of_body[number][patch].has_behind)
+        whole_.push_back(number);
+    joined_.join(whole_, planes_.toward(), groups_[patch]);
+    group_of_[patch].assign(bodies_.count() + bodies_.solids.size(), kNoGroup);
+    for (std::uint32_t g = 0; g < groups_[patch].size(); ++g)
+      for (const std::uint32_t body : groups_[patch][g].bodies) group_of_[patch][body] = g;
+  }
 }
 
 // Not where a part of it may be behind the patch; and the stretch is to be within its lid, so that lines do not come in
@@ -195,6 +216,7 @@ bool StretchMapper3::look(const PairStretch3& stretch, double low, double high, 
 void StretchMapper3::find_view(const PairStretch3& stretch) {
   seen_count_ = 0;
   if (!find_start(stretch)) return;
+  join_bodies();
   if (stretch.role != StretchRole3::kSource) return see_on_both_sides(stretch);
   for (const PairStretch3::Face& face : stretch.faces) {
     PlaneSide3 side = planes_.face(face.body);
@@ -242,6 +264,7 @@ void StretchMapper3::see(const PairStretch3& stretch, MovingFragment3& start, in
   // First the body that hid the rest when it was looked last: where it hides all, nothing else is relied on.
   Hider& hider = hiders_[sign > 0];
   const Hider first = hider;
+  for (std::uint32_t patch = 0; patch < 2; ++patch) is_taken_[patch].assign(groups_[patch].size(), 0);
   if (first.number != 0) take_away(stretch, first.number, first.patch, sign);
   for (std::uint32_t patch = 0; patch < 2; ++patch)
     for (const std::uint32_t number : between_[patch]) {
@@ -278,10 +301,29 @@ bool is_backward(const PairStretch3& stretch, std::uint32_t patch) {
 
 // Takes away from pieces_ what a body or a solid hides of a patch.
 void StretchMapper3::take_away(const PairStretch3& stretch, std::uint32_t hider, std::uint32_t patch, int sign) {
-  if (hider < bodies_.count())
-    take_away_body(stretch, hider, patch, sign);
-  else
-    take_away_solid(stretch, hider - bodies_.count(), patch, sign);
+  if (hider >= bodies_.count()) return take_away_solid(stretch, hider - bodies_.count(), patch, sign);
+  const std::uint32_t group = group_of_[patch][hider];
+  if (group == kNoGroup) return take_away_body(stretch, hider, patch, sign);
+  // As one, the first time; by itself where they are not one from here.
+  const char taken = is_taken_[patch][group];
+  if (taken == kAsOne) return;
+  if (taken == kNotYet && take_away_group(stretch, groups_[patch][group], patch, sign)) {
+    is_taken_[patch][group] = kAsOne;
+    return;
+  }
+  is_taken_[patch][group] = kOneByOne;
+  take_away_body(stretch, hider, patch, sign);
+}
+
+bool StretchMapper3::take_away_group(const PairStretch3& stretch, const JoinedBodies3::Group& group,
+                                     std::uint32_t patch, int sign) {
+  if (!joined_.is_before_once(group, planes_.toward()) ||
+      !cutter_.set_cone(group, is_backward(stretch, patch), cone_)) {
+    is_joined_[patch] = false;
+    return false;
+  }
+  take_away_cone(stretch, group.bodies.front(), patch, sign, {});
+  return true;
 }
 
 void StretchMapper3::take_away_body(const PairStretch3& stretch, std::uint32_t body, std::uint32_t patch, int sign) {

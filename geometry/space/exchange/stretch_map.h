@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/space/exchange/joined_bodies.h"
 #include "geometry/space/exchange/moving_cone.h"
 #include "geometry/space/exchange/solid_cover.h"
 #include "geometry/space/exchange/stretch.h"
@@ -79,6 +80,8 @@ class StretchMapper3 {
   void take_away(const PairStretch3& stretch, std::uint32_t hider, std::uint32_t patch, int sign);
   void take_away_body(const PairStretch3& stretch, std::uint32_t body, std::uint32_t patch, int sign);
   void take_away_solid(const PairStretch3& stretch, std::uint32_t number, std::uint32_t patch, int sign);
+  bool take_away_group(const PairStretch3& stretch, const JoinedBodies3::Group& group, std::uint32_t patch, int sign);
+  void join_bodies();
   void take_away_cone(const PairStretch3& stretch, std::uint32_t hider, std::uint32_t patch, int sign,
                       std::span<const PlaneSide3> beside);
   enum class Hides : unsigned char { kNever, kWhole, kWhereNearer };
@@ -107,10 +110,17 @@ class StretchMapper3 {
   std::vector<std::uint32_t> hints_;  // what told apart last: by body, direction and side
   StretchHull3 hull_;
   SolidCover3 cover_;
+  JoinedBodies3 joined_;
   std::array<bool, 2> sides_seen_{};                   // right, left
   std::array<Hider, 2> hiders_;                        // what hid the rest last, by sign
   std::vector<std::uint32_t> solid_of_;                // of bodies
   std::array<std::vector<std::uint32_t>, 2> between_;  // what may hide something of a patch from the stretch
+  // What of that hides as one; joined anew where it was found not to (is_joined_).
+  std::array<std::vector<JoinedBodies3::Group>, 2> groups_;
+  std::array<std::vector<std::uint32_t>, 2> group_of_;  // of bodies: a number in groups_, or none
+  std::array<bool, 2> is_joined_{};
+  std::array<std::vector<char>, 2> is_taken_;  // of groups
+  std::vector<std::uint32_t> whole_;
   bool is_anything_hidden_ = false;
   std::uint32_t maps_ = 0;
 };

@@ -262,6 +262,35 @@ class Scenes {
     }
   }
 
+  // A corner of a body is moved a little, or by a tenth, inward or outward: what is no longer plane is a triangle there
+  // and the rest, or triangles.
+  void dent(std::vector<SpacePolygon>& faces) {
+    const SpacePoint corner = any(any(faces));
+    const mpq_class size = below(3) == 0 ? mpq_class(1, 10) : mpq_class(1, 1'000'000);
+    const SpacePoint moved = corner + times(size, {from_to(-1, 1), from_to(-1, 1), from_to(-1, 1)});
+    std::vector<SpacePolygon> result;
+    for (const SpacePolygon& face : faces) {
+      const auto place = std::find(face.begin(), face.end(), corner);
+      if (place == face.end()) {
+        result.push_back(face);
+        continue;
+      }
+      SpacePolygon turned(place, face.end());
+      turned.insert(turned.end(), face.begin(), place);
+      const std::size_t n = turned.size();
+      turned[0] = moved;
+      if (n == 3) {
+        result.push_back(std::move(turned));
+      } else if (below(2) == 0) {
+        result.push_back({turned[n - 1], moved, turned[1]});
+        result.emplace_back(turned.begin() + 1, turned.end());
+      } else {
+        for (std::size_t k = 1; k + 1 < n; ++k) result.push_back({moved, turned[k], turned[k + 1]});
+      }
+    }
+    faces = std::move(result);
+  }
+
   void add_body(bool has_ground) {
     Body box;
     place(has_ground, box);
@@ -296,6 +325,11 @@ class Scenes {
       case 7:
         drop();
         split(faces, static_cast<std::size_t>(below(static_cast<long>(faces.size()))));
+        break;
+      case 8:
+      case 9:
+        for (long dents = from_to(1, 3); dents > 0; --dents) dent(faces);
+        if (below(4) == 0) drop();
         break;
       default:
         break;
