@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/space/exchange/exchange.h"
 #include "geometry/space/exchange/exchange_rows.h"
 #include "io/scene/scene_json.h"
 
@@ -56,6 +57,18 @@ TEST(RowSums, AreOneWithinTheErrorsThatEntriesState) {
   }
   EXPECT_GT(all, 45u);
   EXPECT_GT(open_rows, 100u);
+}
+
+// The sides of a hat that are seen from within from one end of an edge are seen from outside from the other one, while
+// its rim stays convex.
+TEST(RowSums, OfAHatThatIsSeenFromWithinAndFromOutside) {
+  const Scene scene = read_scene(HOTTEL_SOURCE_DIR "/scenes/space/hat_in_a_box.json");
+  const ExchangeMatrix matrix = exact_exchange(prepare(std::get<Scene3>(scene)));  // every pair can be measured
+  for (const char* name : {"floor", "top", "mat"}) {
+    double sum = 0;
+    for (const FactorEntry& entry : matrix.row(*matrix.find(name))) sum += entry.factor.value;
+    EXPECT_NEAR(sum, 1, 1e-12) << name;
+  }
 }
 
 }  // namespace
