@@ -138,11 +138,15 @@ bool are_in_one_plane(const std::vector<Point3>& points) {
   return true;
 }
 
-Bend3 bend_of(const std::vector<Point3>& points) {
-  Bend3 result{0, 0, points[0]};
+Rational squared_diameter(const std::vector<Point3>& points) {
+  Rational most;
   for (std::size_t a = 0; a < points.size(); ++a)
-    for (std::size_t b = 0; b < a; ++b)
-      result.squared_diameter = std::max(result.squared_diameter, square(points[a] - points[b]));
+    for (std::size_t b = 0; b < a; ++b) most = std::max(most, square(points[a] - points[b]));
+  return most;
+}
+
+Bend3 bend_of(const std::vector<Point3>& points) {
+  Bend3 result{0, squared_diameter(points), points[0]};
   if (are_in_one_plane(points)) return result;
   const auto [normal, anchor] = largest_triangle(points);
   Rational most;

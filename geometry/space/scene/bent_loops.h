@@ -17,6 +17,9 @@ struct Bend3 {
   Point3 farthest;
 };
 
+// The largest distance of two points, squared. COST: quadratic.
+Rational squared_diameter(const std::vector<Point3>& points);
+
 // Do all points lie in one plane?
 bool are_in_one_plane(const std::vector<Point3>& points);
 

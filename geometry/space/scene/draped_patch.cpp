@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/planarity.h"
+#include "geometry/space/scene/bent_loops.h"
 #include "geometry/space/scene/flat_region.h"
 #include "geometry/space/scene/plane_triangulation.h"
 
@@ -15,13 +16,6 @@ constexpr std::array<Rational Vector3::*, 3> kWays{&Vector3::x, &Vector3::y, &Ve
 constexpr std::array<Rational Point3::*, 3> kPlaces{&Point3::x, &Point3::y, &Point3::z};
 
 Rational square(const Vector3& v) { return dot(v, v); }
-
-Rational squared_diameter(const std::vector<Point3>& points) {
-  Rational most;
-  for (std::size_t a = 0; a < points.size(); ++a)
-    for (std::size_t b = a + 1; b < points.size(); ++b) most = std::max(most, square(points[b] - points[a]));
-  return most;
-}
 
 // What is seen along an axis; a polygon of that area goes around counter-clockwise.
 class AxisView {

@@ -8,6 +8,7 @@
 
 #include "geometry/name.h"
 #include "geometry/planarity.h"
+#include "geometry/space/scene/bent_loops.h"
 #include "geometry/space/scene/draped_patch.h"
 #include "geometry/space/scene/patches.h"
 #include "geometry/space/scene/plane_frame.h"
@@ -22,13 +23,6 @@ Rational square(const Vector3& v) { return dot(v, v); }
 
 Point3 moved(const Point3& from, const Vector3& way, const Rational& part) {
   return {from.x + part * way.x, from.y + part * way.y, from.z + part * way.z};
-}
-
-Rational squared_diameter(const std::vector<Point3>& points) {
-  Rational most;
-  for (std::size_t a = 0; a < points.size(); ++a)
-    for (std::size_t b = a + 1; b < points.size(); ++b) most = std::max(most, square(points[b] - points[a]));
-  return most;
 }
 
 // A plane polygon that patches may lie on: a surface, or a facet of one.

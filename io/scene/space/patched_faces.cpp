@@ -103,7 +103,8 @@ bool precedes(const Point3& a, const Point3& b) {
 std::vector<Polygon3> same_triangles(Polygon3 polygon) {
   const bool is_up = PlaneFrame3(polygon.points).is_front_up(polygon.points);
   if (!is_up) std::ranges::reverse(polygon.points);
-  std::ranges::rotate(polygon.points, std::ranges::min_element(polygon.points, precedes));
+  std::vector<Point3>& points = polygon.points;
+  std::rotate(points.begin(), std::ranges::min_element(points, precedes), points.end());
   std::vector<Polygon3> triangles = mesh_triangles(polygon);
   if (!is_up)
     for (Polygon3& triangle : triangles) std::reverse(triangle.points.begin() + 1, triangle.points.end());
