@@ -128,6 +128,13 @@ std::vector<Face> silent_fronts(const PatchBases& patches, std::span<const Face>
   return silent;
 }
 
+bool is_part_of_silent(const PatchBases& patches, std::uint32_t surface, std::span<const Face> there,
+                       const std::function<bool(std::uint32_t surface)>& is_silent) {
+  return patches.is_patch(surface) && std::ranges::any_of(there, [&](const Face& other) {
+           return patches.rests_on(surface, other.surface) && is_silent(other.surface);
+         });
+}
+
 void settle_bases(SceneTable& table) {
   std::vector<PatchBase> bases;
   for (Surface& surface : table.surfaces) {

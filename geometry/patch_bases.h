@@ -67,6 +67,10 @@ class PatchBases {
 std::vector<Face> silent_fronts(const PatchBases& patches, std::span<const Face> there,
                                 const std::function<bool(std::uint32_t surface)>& is_silent);
 
+// Whether a surface is a patch that rests on a surface there that is_silent names: then it is a part of what that is.
+bool is_part_of_silent(const PatchBases& patches, std::uint32_t surface, std::span<const Face> there,
+                       const std::function<bool(std::uint32_t surface)>& is_silent);
+
 // Lists the bases anew in the order in which surfaces first name them, each once and no others: as a file is read.
 void settle_bases(SceneTable& table);
 

@@ -198,7 +198,7 @@ TEST(OrientedPoints, PointsInSolidsHaveNoLight) {
   EXPECT_THAT(outcome.err, HasSubstr("have no light: 1, the first is point 1"));
 }
 
-// On the border of a box nothing is seen through it, whatever stands behind; within the wall of two there is no light.
+// A point on the border of a box does not see through the box. A point in the wall between two boxes has no light.
 TEST(OrientedPoints, NothingIsSeenThroughSolids) {
   const auto box = [](const std::string& name, int x, int height) {
     const auto at = [&](int a, int b, int c) {

@@ -46,13 +46,12 @@ SideOwner2 owner_of_side(const Scene2& scene, const PatchBases& patches, const s
 
 bool has_material_on(const Scene2& scene, const PatchBases& patches, const std::vector<PieceSource2>& covering,
                      bool right, const SilentGroups2& is_silent) {
-  const auto is_part = [&](std::uint32_t patch) {
-    return patches.is_patch(patch) && std::ranges::any_of(covering, [&](const PieceSource2& other) {
-             return patches.rests_on(patch, other.surface) && is_silent(scene.surfaces[other.surface].group);
-           });
-  };
-  return std::ranges::any_of(covering, [&](const PieceSource2& source) {
-    return claim_of(scene, source, right).material != nullptr && !is_part(source.surface);
+  std::vector<Face> there;
+  for (const PieceSource2& source : covering) there.push_back(claim_of(scene, source, right).face);
+  return std::ranges::any_of(there, [&](const Face& face) {
+    return scene.surfaces[face.surface].material_of(face.is_back) &&
+           !is_part_of_silent(patches, face.surface, there,
+                              [&](std::uint32_t s) { return is_silent(scene.surfaces[s].group); });
   });
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/space/scene/plane_triangulation.h"
+#include "kernel/support/disjoint_sets.h"
 
 namespace hottel {
 namespace {
@@ -32,31 +33,12 @@ struct FlatBox {
   }
 };
 
-// Numbers that are joined to sets.
-class Sets {
- public:
-  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  std::uint32_t root(std::uint32_t k) {
-    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
-    return k;
-  }
-  // The smaller number becomes the root.
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 bool share_an_area(const Member& a, const Member& b) {
   return a.is_convex && b.is_convex ? enters(a.parts.front(), b.parts.front()) : a.region.may_meet(b.region);
 }
 
 // Joins those polygons of one plane that overlap; `members` are theirs.
-void join_overlapping(const std::vector<Member>& members, Sets& sets) {
+void join_overlapping(const std::vector<Member>& members, DisjointSets& sets) {
   std::vector<FlatBox> boxes;
   for (const Member& member : members) boxes.emplace_back(member.region.loops().front());
   std::vector<std::uint32_t> order(members.size()), open;
@@ -68,7 +50,7 @@ void join_overlapping(const std::vector<Member>& members, Sets& sets) {
     for (const std::uint32_t other : open)
       if (boxes[k].meets(boxes[other]) && sets.root(members[k].surface) != sets.root(members[other].surface) &&
           share_an_area(members[k], members[other]))
-        sets.join(members[k].surface, members[other].surface);
+        sets.join_to_smaller(members[k].surface, members[other].surface);
     open.push_back(k);
   }
 }
@@ -99,7 +81,7 @@ std::vector<CoplanarCluster3> coplanar_clusters(const std::vector<Polygon3>& pol
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return frames[a].precedes(frames[b]); });
   std::vector<Member> members(polygons.size());
-  Sets sets(polygons.size());
+  DisjointSets sets(polygons.size());
   for (auto begin = order.begin(); begin != order.end();) {
     const auto end =
         std::find_if(begin, order.end(), [&](std::uint32_t k) { return frames[*begin].precedes(frames[k]); });

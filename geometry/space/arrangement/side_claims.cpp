@@ -12,6 +12,13 @@ bool is_there(const std::vector<PlaceSource3>& sources, std::uint32_t surface) {
                      [surface](const PlaceSource3& source) { return source.surface == surface; });
 }
 
+// The faces of some sources on one side.
+std::vector<Face> faces_on(const std::vector<PlaceSource3>& sources, bool is_up) {
+  std::vector<Face> faces;
+  for (const PlaceSource3& source : sources) faces.push_back({source.surface, source.is_front_up != is_up});
+  return faces;
+}
+
 // Whether the front of a surface faces another one at no distance there.
 bool is_masked(const Scene3& scene, const std::vector<PlaceSource3>& sources, std::uint32_t surface) {
   return std::any_of(scene.masks.begin(), scene.masks.end(), [&](const Mask3& mask) {
@@ -28,8 +35,7 @@ SideOwner3 owner_of_side(const Scene3& scene, const PatchBases& patches, const s
     const std::optional<std::uint32_t> m = scene.surfaces[face.surface].material_of(face.is_back);
     return m ? &scene.materials[*m] : nullptr;
   };
-  std::vector<Face> there;
-  for (const PlaceSource3& source : sources) there.push_back({source.surface, source.is_front_up != is_up});
+  const std::vector<Face> there = faces_on(sources, is_up);
   const std::vector<Face> silent =
       silent_fronts(patches, there, [&](std::uint32_t s) { return is_silent(scene.surfaces[s].group); });
   std::optional<SideOwner3> side;
@@ -65,13 +71,11 @@ std::optional<MisplacedMask3> misplaced_mask(const Scene3& scene, const PatchBas
 
 bool has_material_on(const Scene3& scene, const PatchBases& patches, const std::vector<PlaceSource3>& sources,
                      bool is_up, const std::function<bool(std::uint32_t group)>& is_silent) {
-  const auto is_part = [&](std::uint32_t patch) {
-    return patches.is_patch(patch) && std::ranges::any_of(sources, [&](const PlaceSource3& other) {
-             return patches.rests_on(patch, other.surface) && is_silent(scene.surfaces[other.surface].group);
-           });
-  };
-  return std::ranges::any_of(sources, [&](const PlaceSource3& source) {
-    return scene.surfaces[source.surface].material_of(source.is_front_up != is_up) && !is_part(source.surface);
+  const std::vector<Face> there = faces_on(sources, is_up);
+  return std::ranges::any_of(there, [&](const Face& face) {
+    return scene.surfaces[face.surface].material_of(face.is_back) &&
+           !is_part_of_silent(patches, face.surface, there,
+                              [&](std::uint32_t s) { return is_silent(scene.surfaces[s].group); });
   });
 }
 

@@ -11,8 +11,8 @@
 #include "geometry/name.h"
 #include "geometry/space/check/wording.h"
 #include "geometry/space/contacts/corner_table.h"
-#include "geometry/space/contacts/polygon_places.h"
 #include "geometry/space/scene/bent_loops.h"
+#include "geometry/space/scene/polygon_places.h"
 #include "kernel/decimal.h"
 
 namespace hottel {
@@ -139,7 +139,7 @@ void tell_needle(const Scene3& scene, std::uint32_t s, Findings3& findings) {
 
 void tell_nearly_plane(const Scene3& scene, std::uint32_t s, Findings3& findings) {
   const Polygon3& polygon = scene.polygons[s];
-  if (!polygon.is_nearly_plane || !polygon.facets.empty()) return;  // what a patch lies on is told
+  if (!polygon.is_nearly_plane || !polygon.facets.empty()) return;  // of a patch its base is named
   const Bend3 bend = bend_of(corners_of(polygon));
   findings.push_back({Severity::kNote,
                       "not-plane",

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/space/contacts/polygon_places.h"
+#include "geometry/space/scene/polygon_places.h"
 #include "geometry/space/scene/scene.h"
 
 namespace hottel {

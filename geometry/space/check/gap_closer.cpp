@@ -14,8 +14,8 @@
 #include "geometry/space/check/wording.h"
 #include "geometry/space/contacts/box_tree.h"
 #include "geometry/space/contacts/corner_table.h"
-#include "geometry/space/contacts/polygon_places.h"
 #include "geometry/space/scene/patches.h"
+#include "geometry/space/scene/polygon_places.h"
 
 namespace hottel {
 namespace {

@@ -12,8 +12,8 @@
 #include "geometry/space/check/gap_closer.h"
 #include "geometry/space/check/mesh_findings.h"
 #include "geometry/space/check/shells.h"
-#include "geometry/space/contacts/polygon_places.h"
 #include "geometry/space/scene/patches.h"
+#include "geometry/space/scene/polygon_places.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "geometry/space/contacts/polygon_places.h"
 #include "geometry/space/scene/polygon.h"
+#include "geometry/space/scene/polygon_places.h"
 
 namespace hottel {
 

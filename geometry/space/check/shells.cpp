@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "geometry/space/arrangement/solids.h"
 #include "geometry/space/check/edge_stretches.h"
 #include "geometry/space/check/wording.h"
+#include "kernel/support/disjoint_sets.h"
 
 namespace hottel {
 namespace {
@@ -22,8 +22,7 @@ using Surfaces = std::vector<std::uint32_t>;
 // Surfaces of one group with an edge in common are of one part.
 class Parts {
  public:
-  explicit Parts(const Scene3& scene) : parent_(scene.surfaces.size()), is_closed_(parent_.size(), 1) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
+  explicit Parts(const Scene3& scene) : sets_(scene.surfaces.size()), is_closed_(scene.surfaces.size(), 1) {
     const Surfaces unit = units(scene);
     for (const EdgeStretch3& stretch : find_edge_stretches(scene)) {
       std::map<std::uint32_t, std::vector<EdgeUse3>> by_group;
@@ -35,10 +34,10 @@ class Parts {
   // The closed ones, each in order.
   std::vector<Surfaces> closed() {
     std::map<std::uint32_t, Surfaces> parts;
-    std::vector<char> is_open(parent_.size(), 0);
-    for (std::uint32_t s = 0; s < parent_.size(); ++s) {
-      parts[root(s)].push_back(s);
-      if (is_closed_[s] == 0) is_open[root(s)] = 1;
+    std::vector<char> is_open(is_closed_.size(), 0);
+    for (std::uint32_t s = 0; s < is_closed_.size(); ++s) {
+      parts[sets_.root(s)].push_back(s);
+      if (is_closed_[s] == 0) is_open[sets_.root(s)] = 1;
     }
     std::vector<Surfaces> result;
     for (auto& [first, surfaces] : parts)
@@ -58,22 +57,16 @@ class Parts {
     return unit;
   }
 
-  std::uint32_t root(std::uint32_t s) {
-    while (parent_[s] != s) s = parent_[s] = parent_[parent_[s]];
-    return s;
-  }
-
   // Where an edge has as many uses each way the parts that have it are closed there.
   void join(const std::vector<EdgeUse3>& uses) {
     const auto forward = std::count_if(uses.begin(), uses.end(), [](const EdgeUse3& use) { return !use.is_reversed; });
     for (const EdgeUse3& use : uses) {
       if (2 * static_cast<std::size_t>(forward) != uses.size()) is_closed_[use.surface] = 0;
-      const std::uint32_t a = root(uses.front().surface), b = root(use.surface);
-      parent_[std::max(a, b)] = std::min(a, b);
+      sets_.join_to_smaller(uses.front().surface, use.surface);
     }
   }
 
-  Surfaces parent_;
+  DisjointSets sets_;            // of surfaces
   std::vector<char> is_closed_;  // by surface
 };
 

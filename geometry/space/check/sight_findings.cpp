@@ -220,7 +220,7 @@ class SightTeller {
 
   Surfaces patches_on(std::uint32_t face) const {
     const Element& element = matrix_.elements()[face];
-    return PatchCarriers3(scene_).on({element.surface, element.is_back});
+    return carriers_.on({element.surface, element.is_back});
   }
 
   // Whether something that lies in its plane, over its middle, has its temperature: what covers it, or it stands on.
@@ -272,6 +272,7 @@ class SightTeller {
   }
 
   const Scene3& scene_;
+  const PatchCarriers3 carriers_{scene_};
   const Meshes3& meshes_;
   const ExchangeMatrix& matrix_;
   const bool is_whole_;

@@ -10,7 +10,7 @@
 
 #include "geometry/name.h"
 #include "geometry/space/check/wording.h"
-#include "geometry/space/contacts/polygon_places.h"
+#include "geometry/space/scene/polygon_places.h"
 
 namespace hottel {
 namespace {

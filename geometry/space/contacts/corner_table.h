@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "geometry/space/arrangement/surface_boxes.h"
-#include "geometry/space/contacts/polygon_places.h"
 #include "geometry/space/predicates/vertices.h"
+#include "geometry/space/scene/polygon_places.h"
 
 namespace hottel {
 

@@ -38,7 +38,7 @@ void JoinedBodies3::number_sides() {
       std::swap(same_next_[places[k].side], same_next_[places[k - 1].side]);
   seen_.resize(body_of_.size());
   facings_.assign(bodies_.end_of_between(), 0);
-  roots_.resize(bodies_.end_of_between());
+  sets_ = DisjointSets(bodies_.end_of_between());
   is_reached_.resize(bodies_.end_of_between());
 }
 
@@ -153,15 +153,10 @@ bool JoinedBodies3::is_before_once(const Group& group, std::span<const BoundedVe
   return turn < 3 * std::numbers::pi;
 }
 
-std::uint32_t JoinedBodies3::root(std::uint32_t body) {
-  while (roots_[body] != body) body = roots_[body] = roots_[roots_[body]];
-  return body;
-}
-
 // Two convex outlines at a time, where both together are convex. Each is that of a convex polygon as seen, so all is
 // before the eye, once.
 void JoinedBodies3::join_some(std::vector<Group>& groups) {
-  for (const std::uint32_t body : component_) roots_[body] = body;
+  sets_.separate(component_);
   for (bool is_joined = true; is_joined;) {
     is_joined = false;
     for (const std::uint32_t body : component_)
@@ -169,11 +164,11 @@ void JoinedBodies3::join_some(std::vector<Group>& groups) {
         if (seen_[side].partner != kNone && seen_[side].next != kNone) is_joined |= join_at(side);
   }
   for (const std::uint32_t body : component_) {
-    if (root(body) != body) continue;
+    if (sets_.root(body) != body) continue;
     Group group;
     std::uint32_t start = kNone;
     for (const std::uint32_t other : component_) {
-      if (root(other) != body) continue;
+      if (sets_.root(other) != body) continue;
       group.bodies.push_back(other);
       group.facings.push_back(facings_[other]);
       for (std::uint32_t side = first_[other]; side < first_[other + 1]; ++side)
@@ -192,7 +187,7 @@ void JoinedBodies3::join_some(std::vector<Group>& groups) {
 // Joins two outlines along a side of both. False where they are one already, or what they make is not surely convex.
 bool JoinedBodies3::join_at(std::uint32_t side) {
   const std::uint32_t other = seen_[side].partner;
-  const std::uint32_t a = root(body_of_[side]), b = root(body_of_[other]);
+  const std::uint32_t a = sets_.root(body_of_[side]), b = sets_.root(body_of_[other]);
   if (a == b) return false;
   const Seen first = seen_[side], second = seen_[other];
   if (!turns(first.previous, second.next) || !turns(second.previous, first.next)) return false;
@@ -203,7 +198,7 @@ bool JoinedBodies3::join_at(std::uint32_t side) {
   link(first.previous, second.next);
   link(second.previous, first.next);
   for (const std::uint32_t gone : {side, other}) seen_[gone].next = seen_[gone].previous = kNone;
-  roots_[std::max(a, b)] = std::min(a, b);
+  sets_.join_to_smaller(a, b);
   return true;
 }
 

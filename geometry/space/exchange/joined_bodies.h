@@ -7,6 +7,7 @@
 
 #include "geometry/space/exchange/pair_bodies.h"
 #include "geometry/space/visibility/direction.h"
+#include "kernel/support/disjoint_sets.h"
 
 namespace hottel {
 
@@ -63,7 +64,6 @@ class JoinedBodies3 {
   bool join_all(std::vector<Group>& groups);
   void join_some(std::vector<Group>& groups);
   bool join_at(std::uint32_t side);
-  std::uint32_t root(std::uint32_t body);
   bool turns(std::uint32_t side, std::uint32_t next) const;
   Side side_of(std::uint32_t side) const;
   Direction3 way(std::uint32_t point) const { return way_of(toward_[point]); }
@@ -76,7 +76,7 @@ class JoinedBodies3 {
   std::vector<std::uint32_t> same_next_;   // the sides of one edge in a circle
   std::vector<Seen> seen_;                 // of sides
   std::vector<signed char> facings_;       // of bodies; 0 where it is not in the list
-  std::vector<std::uint32_t> roots_;       // of bodies: whose outline is theirs, or nearer to it
+  DisjointSets sets_;                      // of bodies that have one outline
   std::vector<std::uint32_t> component_;   // bodies that hang together, as seen
   std::vector<char> is_reached_;           // of bodies
   std::vector<std::uint32_t> open_sides_;  // of the component

@@ -8,6 +8,7 @@
 #include "geometry/space/scene/bent_loops.h"
 #include "geometry/space/scene/flat_region.h"
 #include "geometry/space/scene/plane_triangulation.h"
+#include "geometry/space/scene/polygon_places.h"
 
 namespace hottel {
 namespace {
@@ -110,19 +111,12 @@ class Drape {
     const FlatPoint3 at = view_.flat(corner);
     for (const Support& support : supports_)
       if (support.region.is_on_border(at) || support.region.contains(at)) return lifted(at, support);
-    std::optional<Point3> best;
-    Rational least;
+    std::optional<ClosestPoint3> best;
     for (const Support& support : supports_)
-      for (const Side3& side : sides_of(*support.facet)) {
-        const Vector3 way = side.to - side.from;
-        const Rational part = std::clamp<Rational>(dot(way, corner - side.from) / square(way), 0, 1);
-        Point3 there{side.from.x + part * way.x, side.from.y + part * way.y, side.from.z + part * way.z};
-        Rational distance = square(there - corner);
-        if (best && distance >= least) continue;
-        best = std::move(there);
-        least = std::move(distance);
-      }
-    return best;
+      for (const Side3& side : sides_of(*support.facet))
+        if (ClosestPoint3 here = closest_point(side, corner); !best || here.squared < best->squared)
+          best = std::move(here);
+    return best ? std::optional(best->at) : std::nullopt;
   }
 
   // The triangles between the sides of all, each lifted onto what it is a part of. False where one is a part of none,

@@ -1,7 +1,6 @@
 #include "geometry/space/scene/patch_seats.h"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "geometry/space/scene/patches.h"
 #include "geometry/space/scene/plane_frame.h"
 #include "geometry/space/scene/plane_triangulation.h"
+#include "geometry/space/scene/polygon_places.h"
 #include "kernel/decimal.h"
 #include "kernel/support/failure.h"
 
@@ -20,10 +20,6 @@ namespace hottel {
 namespace {
 
 Rational square(const Vector3& v) { return dot(v, v); }
-
-Point3 moved(const Point3& from, const Vector3& way, const Rational& part) {
-  return {from.x + part * way.x, from.y + part * way.y, from.z + part * way.z};
-}
 
 // A plane polygon that patches may lie on: a surface, or a facet of one.
 struct Facet {
@@ -45,7 +41,7 @@ struct Facet {
     return height * height / square(normal);
   }
   Point3 projected(const Point3& point) const {
-    return moved(point, normal, -dot(normal, point - polygon.points.front()) / square(normal));
+    return moved(point, -dot(normal, point - polygon.points.front()) / square(normal), normal);
   }
   bool holds(const Point3& point) const {
     const FlatPoint3 at = frame.flat(point);
@@ -102,11 +98,10 @@ class Bases {
     return found;
   }
 
-  // The facets of a plane that look as a patch in it has to.
-  std::vector<const Facet*> beside(std::uint32_t patch, const Facet& first) {
-    std::vector<const Facet*> found;
-    for (const Facet* facet : facets_under(patch, Near::kYes))
-      if (facet->frame.key() == first.frame.key() && dot(facet->normal, first.normal) > 0) found.push_back(facet);
+  // Those of them in one plane.
+  std::vector<const Facet*> looking_alike(std::uint32_t patch, const PlaneFrame3& plane) {
+    std::vector<const Facet*> found = looking_alike(patch);
+    std::erase_if(found, [&](const Facet* facet) { return facet->frame.key() != plane.key(); });
     return found;
   }
 
@@ -153,12 +148,6 @@ std::optional<Point3> place_beyond(const Polygon3& polygon, std::vector<const Fa
   return std::nullopt;
 }
 
-// The point of a segment that is nearest to a point.
-Point3 nearest_on(const Side3& side, const Point3& point) {
-  const Vector3 way = side.to - side.from;
-  return moved(side.from, way, std::clamp<Rational>(dot(way, point - side.from) / square(way), 0, 1));
-}
-
 bool has_an_area(const Polygon3& polygon) {
   return polygon.points.size() >= 3 && !doubled_area(Polygon3{polygon.points}).is_zero();
 }
@@ -195,7 +184,7 @@ class Seater {
       });
       polygon.is_nearly_plane = false;
       if (!support.looks_alike) return polygon;
-      const std::vector<const Facet*> facets = bases_.beside(patch, *support.facet);
+      const std::vector<const Facet*> facets = bases_.looking_alike(patch, support.facet->frame);
       for_each_corner(polygon, [&](Point3& corner) {
         const Point3 on_base = nearest(facets, corner);
         if (is_within_seat(square(on_base - corner), own, base, unit_)) corner = on_base;
@@ -208,11 +197,9 @@ class Seater {
   // Whether something of what is seated in a plane is beside the facets of that. There are several planes only where
   // a base is bent or a group.
   bool is_beyond(std::uint32_t patch, const Polygon3& polygon) {
-    std::vector<const Facet*> facets = bases_.looking_alike(patch);
-    const PlaneFrame3 frame(polygon.points);
-    const std::size_t all = facets.size();
-    std::erase_if(facets, [&](const Facet* facet) { return facet->frame.key() != frame.key(); });
-    return facets.size() < all && polygon_problem(polygon).text.empty() && place_beyond(polygon, facets).has_value();
+    const std::vector<const Facet*> facets = bases_.looking_alike(patch, PlaneFrame3(polygon.points));
+    return facets.size() < bases_.looking_alike(patch).size() && polygon_problem(polygon).text.empty() &&
+           place_beyond(polygon, facets).has_value();
   }
 
   std::optional<Polygon3> seated_across_bends(std::uint32_t patch) {
@@ -233,17 +220,12 @@ class Seater {
   // The point of some facets of its plane that is nearest to a point.
   static Point3 nearest(const std::vector<const Facet*>& facets, const Point3& point) {
     if (std::ranges::any_of(facets, [&](const Facet* facet) { return facet->holds(point); })) return point;
-    std::optional<Point3> best;
-    Rational least;
+    std::optional<ClosestPoint3> best;
     for (const Facet* facet : facets)
-      for (const Side3& side : sides_of(facet->polygon)) {
-        Point3 at = nearest_on(side, point);
-        Rational distance = square(at - point);
-        if (best && distance >= least) continue;
-        best = std::move(at);
-        least = std::move(distance);
-      }
-    return best.value_or(point);
+      for (const Side3& side : sides_of(facet->polygon))
+        if (ClosestPoint3 here = closest_point(side, point); !best || here.squared < best->squared)
+          best = std::move(here);
+    return best ? best->at : point;
   }
 
   Scene3& scene_;
@@ -274,19 +256,15 @@ class Judge {
     if (in_plane == supports.end() || scene_.polygons[patch].is_nearly_plane)
       refuse_off(patch, bases_.supports(patch, Near::kNo));
     if (!in_plane->looks_alike) refuse_turned_patch(scene_, patch);
-    judge_extent(patch, scene_.polygons[patch], bases_.beside(patch, *in_plane->facet));
+    judge_extent(patch, scene_.polygons[patch], bases_.looking_alike(patch, in_plane->facet->frame));
   }
 
   // Each facet of a patch across bends lies in the plane of one of its base, and within it.
   void judge_facets(std::uint32_t patch) {
-    const std::vector<const Facet*> facets = bases_.looking_alike(patch);
     for (const Polygon3& part : facets_of(scene_.polygons[patch])) {
-      const PlaneFrame3 frame(part.points);
-      std::vector<const Facet*> beside;
-      std::ranges::copy_if(facets, std::back_inserter(beside),
-                           [&](const Facet* facet) { return facet->frame.key() == frame.key(); });
-      if (beside.empty()) refuse_off(patch, bases_.supports(patch, Near::kNo));
-      judge_extent(patch, part, std::move(beside));
+      std::vector<const Facet*> facets = bases_.looking_alike(patch, PlaneFrame3(part.points));
+      if (facets.empty()) refuse_off(patch, bases_.supports(patch, Near::kNo));
+      judge_extent(patch, part, std::move(facets));
     }
   }
 

@@ -1,7 +1,6 @@
 #include "io/scene/space/kept_solids.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "geometry/name.h"
 #include "geometry/scene_names.h"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +13,7 @@ namespace hottel {
 // as, and the other way round; none where all is kept. They name groups and bodies.
 //
 //   (1) a solid is kept where the group of its name is solid too, or where the file has one group and that is
-//   (2) nothing is told of a scene that cannot be prepared (Solids3), or where there is none that is read
+//   (2) none where one of the two scenes is refused (Solids3, read)
 //
 // `name_in_file`: what the file calls a group. `read` is asked only where something is to be told.
 // COST: that of Solids3 for both.

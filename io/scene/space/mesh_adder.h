@@ -41,9 +41,8 @@ struct MeshEntry3 {
 //       then has no area, unless none has any. It keeps its number
 //   (4) a face that runs to its holes and back along seams has these holes (open_seams)
 //   (5) surfaces know where they stand in the file (Surface::in_mesh)
-//   (6) groups of one body of the mesh are of one of the scene, called as that, or NAME~2 where another mesh or the
-//   scene
-//       itself has one of the name
+//   (6) groups of one body of the mesh are of one of the scene, called as that, or NAME~2 where another mesh or
+//       the scene itself has one of the name
 //   (7) faces that are plane but for the last digits of the file are nearly plane (accept_nearly_plane)
 class MeshAdder3 {
  public:

@@ -3,39 +3,34 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <numeric>
 #include <utility>
 
 #include "geometry/space/scene/plane_frame.h"
 #include "geometry/space/scene/plane_triangulation.h"
+#include "geometry/space/scene/polygon_places.h"
 #include "io/scene/space/mesh_pieces.h"
+#include "kernel/support/disjoint_sets.h"
 
 namespace hottel {
 
 namespace {
 
-std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t k) {
-  while (parent[k] != k) k = parent[k] = parent[parent[k]];
-  return k;
-}
-
 // The surfaces that patches join, each with all that it lies on and all that lies on it.
 std::vector<std::vector<std::uint32_t>> joined_by_patches(const PatchCarriers3& carriers) {
   const auto n = static_cast<std::uint32_t>(carriers.scene().surfaces.size());
-  std::vector<std::uint32_t> parent(n);
-  std::iota(parent.begin(), parent.end(), 0u);
+  DisjointSets sets(n);
   std::vector<char> is_joined(n, 0);
   for (std::uint32_t s = 0; s < n; ++s) {
     if (!carriers.bases().is_patch(s)) continue;
     is_joined[s] = 1;
     for (const std::uint32_t base : carriers.of(s)) {
       is_joined[base] = 1;
-      parent[root(parent, base)] = root(parent, s);
+      sets.join(s, base);
     }
   }
   std::map<std::uint32_t, std::vector<std::uint32_t>> joined;
   for (std::uint32_t s = 0; s < n; ++s)
-    if (is_joined[s] != 0) joined[root(parent, s)].push_back(s);
+    if (is_joined[s] != 0) joined[sets.root(s)].push_back(s);
   std::vector<std::vector<std::uint32_t>> result;
   for (auto& [first, surfaces] : joined) result.push_back(std::move(surfaces));
   return result;
@@ -91,12 +86,6 @@ bool put_into(std::vector<Point3>& loop, const PointFinder& finder) {
   const bool has_more = result.size() > loop.size();
   loop = std::move(result);
   return has_more;
-}
-
-bool precedes(const Point3& a, const Point3& b) {
-  if (const int c = cmp(a.x, b.x)) return c < 0;
-  if (const int c = cmp(a.y, b.y)) return c < 0;
-  return a.z < b.z;
 }
 
 // The triangles of a plane polygon, the same ones of what looks the other way.

@@ -19,8 +19,7 @@ namespace hottel {
 //   (3) else they are triangles. Where a front and a back are written, of a patch and of what it lies on, both have the
 //       same triangles, with the same corners: wherever these are rounded to, the two lie back to back
 //   (4) and their corners are corners of all polygons of the scene in whose sides they lie, but for those left: what
-//   closes before they are
-//       rounded does so after it. Other polygons stay whole
+//       closes before they are rounded does so after it. Other polygons stay whole
 //
 // REQUIRES that the scene of the carriers outlives this. COST: a PlaneTriangulation3 for each plane of patches that lie
 // on each other; where something is rounded, n log n for all sides.

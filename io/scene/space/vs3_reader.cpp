@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <unordered_map>
 
 #include "geometry/name.h"
@@ -12,6 +11,7 @@
 #include "io/files/text_file.h"
 #include "io/scene/space/vs3_deck.h"
 #include "kernel/decimal.h"
+#include "kernel/support/disjoint_sets.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -214,15 +214,11 @@ class SceneOfDeck3 {
   // A base has a hole where its subsurface is: what is combined with either can close with both together only. Nothing
   // closes in which no three surfaces are combined.
   void join_bodies() {
-    std::vector<std::uint32_t> parent(scene().groups.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto first = [&](std::uint32_t g) {
-      while (parent[g] != g) g = parent[g];
-      return g;
-    };
+    const auto n = static_cast<std::uint32_t>(scene().groups.size());
+    DisjointSets joined(n);
     std::vector<std::size_t> combined(records_.size());
     for (std::size_t k = 0; k < records_.size(); ++k) ++combined[leader_of(k)];
-    std::vector<char> may_close(parent.size(), 0);
+    std::vector<char> may_close(n, 0);
     // Of a base that is covered wholly the group may be none of the scene.
     const auto group_of = [&](std::size_t k) {
       const auto found = groups_.find(leader_of(k));
@@ -230,18 +226,19 @@ class SceneOfDeck3 {
     };
     for (std::size_t k = 0; k < records_.size(); ++k) {
       const auto own = group_of(k);
-      if (own && combined[leader_of(k)] >= 3) may_close[first(*own)] = 1;
+      if (own && combined[leader_of(k)] >= 3) may_close[joined.root(*own)] = 1;
       if (!own || records_[k].kind != Vs3Kind3::kSurface || records_[k].base == 0) continue;
       const std::size_t base = records_[k].base - 1;
       const auto under = group_of(base);
-      if (!under || records_[base].kind != Vs3Kind3::kSurface || first(*under) == first(*own)) continue;
-      may_close[first(*under)] = static_cast<char>(may_close[first(*under)] | may_close[first(*own)]);
-      parent[first(*own)] = first(*under);
+      if (!under || records_[base].kind != Vs3Kind3::kSurface || joined.root(*under) == joined.root(*own)) continue;
+      if (may_close[joined.root(*own)] != 0) may_close[joined.root(*under)] = 1;
+      joined.join(*under, *own);
     }
-    std::vector<std::size_t> count(parent.size());
-    for (std::uint32_t g = 0; g < parent.size(); ++g) ++count[first(g)];
-    for (std::uint32_t g = 0; g < parent.size(); ++g)
-      if (count[first(g)] > 1 && may_close[first(g)] != 0) scene().groups[g].body = scene().groups[first(g)].name;
+    std::vector<std::size_t> count(n);
+    for (std::uint32_t g = 0; g < n; ++g) ++count[joined.root(g)];
+    for (std::uint32_t g = 0; g < n; ++g)
+      if (const std::uint32_t first = joined.root(g); count[first] > 1 && may_close[first] != 0)
+        scene().groups[g].body = scene().groups[first].name;
   }
 
   std::size_t leader_of(std::size_t k) const {

@@ -12,6 +12,20 @@ namespace {
 
 constexpr double kNothing = 1e-15;  // what rounding makes of it
 
+std::vector<Direction3> cone_of(const PointMap3& map, const PointMap3::Fragment& fragment) {
+  std::vector<Direction3> cone;
+  for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) cone.push_back(map.corners[c].direction);
+  return cone;
+}
+
+// What of a cone meets a polygon that is convex, as seen from a point; fewer than three directions: nothing.
+std::vector<Direction3> part_toward(const std::vector<Direction3>& cone, const std::vector<Direction3>& polygon,
+                                    const Direction3& eye) {
+  std::vector<Direction3> ways;
+  for (const Direction3& corner : polygon) ways.push_back(unit(corner - eye));
+  return common_cone_3(cone, ways);
+}
+
 }  // namespace
 
 SentOut3::SentOut3(const PreparedScene3& prepared, Granularity granularity, const RadiositySolution& solution)
@@ -79,23 +93,18 @@ void SentOut3::sum(const PointMap3& map, const Point3& eye, const FractionOf& fr
   const bool is_on_solid =
       std::ranges::any_of(map.fragments, may_be_covered) && !solids_at(prepared_.arrangement().solids(), eye).empty();
   const Direction3 from{to_double(eye.x), to_double(eye.y), to_double(eye.z)};
-  std::vector<Direction3> cone;
   for (const PointMap3::Fragment& fragment : map.fragments) {
     const Side& side = side_of(fragment);
     if (side.parts.empty()) continue;
     if (is_on_solid && side.is_covered) {
-      cone.clear();
-      for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) cone.push_back(map.corners[c].direction);
-      add_free(cone, side, from, measure, result);
+      add_free(cone_of(map, fragment), side, from, measure, result);
       continue;
     }
     if (!side.is_divided) {
       add(side.parts[0].label, fraction_of(fragment), result);
       continue;
     }
-    cone.clear();
-    for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) cone.push_back(map.corners[c].direction);
-    add_divided(cone, fraction_of(fragment), side, from, measure, result);
+    add_divided(cone_of(map, fragment), fraction_of(fragment), side, from, measure, result);
   }
 }
 
@@ -103,11 +112,8 @@ void SentOut3::sum(const PointMap3& map, const Point3& eye, const FractionOf& fr
 template <class Measure>
 void SentOut3::add_free(const std::vector<Direction3>& cone, const Side& side, const Direction3& eye,
                         const Measure& measure, std::span<double> result) const {
-  std::vector<Direction3> ways;
   for (const std::vector<Direction3>& free : side.free) {
-    ways.clear();
-    for (const Direction3& corner : free) ways.push_back(unit(corner - eye));
-    const std::vector<Direction3> seen = common_cone_3(cone, ways);
+    const std::vector<Direction3> seen = part_toward(cone, free, eye);
     const double fraction = seen.size() > 2 ? measure(seen) : 0;
     if (!(fraction > kNothing)) continue;
     if (side.is_divided)
@@ -122,15 +128,10 @@ bool SentOut3::is_in_solids(const PointMap3& map, const Point3& eye) const {
   const Direction3 from{to_double(eye.x), to_double(eye.y), to_double(eye.z)};
   return !map.fragments.empty() && std::ranges::all_of(map.fragments, [&](const PointMap3::Fragment& fragment) {
     const Side& side = parts_[fragment.face.number()];
-    if (!side.is_covered) return false;
-    std::vector<Direction3> cone, ways;
-    for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) cone.push_back(map.corners[c].direction);
-    return std::ranges::none_of(side.free, [&](const std::vector<Direction3>& free) {
-      ways.clear();
-      for (const Direction3& corner : free) ways.push_back(unit(corner - from));
-      const std::vector<Direction3> seen = common_cone_3(cone, ways);
-      return seen.size() > 2 && solid_angle_fraction_3(seen) > kNothing;
-    });
+    return side.is_covered && std::ranges::none_of(side.free, [&](const std::vector<Direction3>& free) {
+             const std::vector<Direction3> seen = part_toward(cone_of(map, fragment), free, from);
+             return seen.size() > 2 && solid_angle_fraction_3(seen) > kNothing;
+           });
   });
 }
 
@@ -144,12 +145,9 @@ template <class Measure>
 void SentOut3::add_divided(const std::vector<Direction3>& cone, double fraction, const Side& side,
                            const Direction3& eye, const Measure& measure, std::span<double> result) const {
   std::vector<double> fractions;
-  std::vector<Direction3> ways;
   double sum = 0;
   for (const Part& part : side.parts) {
-    ways.clear();
-    for (const Direction3& corner : part.corners) ways.push_back(unit(corner - eye));
-    const std::vector<Direction3> common = common_cone_3(cone, ways);
+    const std::vector<Direction3> common = part_toward(cone, part.corners, eye);
     fractions.push_back(common.size() > 2 ? std::max(0.0, measure(common)) : 0);
     sum += fractions.back();
   }

@@ -167,7 +167,7 @@ TEST(JoinedBodies3, AGroupHidesWhatIsWithinItsOutline) {
   int joined = 0, within = 0, beside = 0;
   for (int round = 0; round < 60; ++round) {
     std::vector<Points> mesh = dish();
-    for (Points& polygon : mesh)  // each corner by a little, the same for all that share it
+    for (Points& polygon : mesh)  // moves each corner a little, in all polygons that have it
       for (Point3& p : polygon) {
         const long key = static_cast<long>(std::lround(1000 * to_double(p.x) + 7000 * to_double(p.y)));
         p.z += ratio((key * (round + 3)) % 17 - 8, round % 2 == 0 ? 60 : 1'000'000);

@@ -180,7 +180,7 @@ std::string sums_differ(const Scene3& scene, const Sums& before, const Sums& aft
       const auto other = others.find(pair);
       if (is_after && other != others.end()) continue;
       const auto [value, error] = other == others.end() ? std::pair(0., 0.) : other->second;
-      // What is not 0 may be below what all entries state together, but S = 0 is told exactly.
+      // S = 0 is exact: a pair that one of the two matrices alone lists is wrong, however small it is.
       if (other == others.end() || !(std::abs(value - sum.first) <= error + sum.second))
         wrong += fmt::format("S({}, {}) = {:.17g} {} patches, {:.17g} {} them: off by {:.3g}, errors {:.3g}\n",
                              face_text(scene, pair.first), face_text(scene, pair.second), sum.first,

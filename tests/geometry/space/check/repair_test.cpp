@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "geometry/space/contacts/near_contacts.h"
-#include "geometry/space/contacts/polygon_places.h"
+#include "geometry/space/scene/polygon_places.h"
 #include "tests/geometry/space/check/small_scene.h"
 
 namespace hottel::repair_test {

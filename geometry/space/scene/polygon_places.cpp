@@ -1,4 +1,4 @@
-#include "geometry/space/contacts/polygon_places.h"
+#include "geometry/space/scene/polygon_places.h"
 
 #include <algorithm>
 #include <array>
