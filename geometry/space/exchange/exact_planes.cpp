@@ -1,9 +1,73 @@
 // Planes through a point that moves, and directions, in integers (MovingPlanes3).
+#include <array>
+#include <cstdint>
 #include <memory>
 
 #include "geometry/space/exchange/moving_planes.h"
 
 namespace hottel {
+namespace {
+
+// Doubles that are whole numbers up to this, and their products summed in threes, are exact in what follows.
+constexpr double kMostWhole = 0x1p51;
+
+struct Whole {
+  std::int64_t x, y, z;
+};
+struct Wide {
+  Int128 x = 0, y = 0, z = 0;
+};
+
+bool is_whole(const MovingVector3& v) {
+  return v.first.error == 0 && v.first.size <= kMostWhole && v.terms[1] <= kMostWhole;
+}
+
+Whole whole(const Direction3& d) {
+  return {static_cast<std::int64_t>(d.x), static_cast<std::int64_t>(d.y), static_cast<std::int64_t>(d.z)};
+}
+
+void add_cross(const Whole& a, const Whole& b, Wide& sum) {
+  const auto product = [](std::int64_t p, std::int64_t q) { return static_cast<Int128>(p) * q; };
+  sum.x += product(a.y, b.z) - product(a.z, b.y);
+  sum.y += product(a.z, b.x) - product(a.x, b.z);
+  sum.z += product(a.x, b.y) - product(a.y, b.x);
+}
+
+void add_dot(const Wide& a, const Whole& b, WideSum& sum) {
+  sum.add(a.x, b.x);
+  sum.add(a.y, b.y);
+  sum.add(a.z, b.z);
+}
+
+}  // namespace
+
+bool MovingPlanes3::sum_whole(const MovingCorner3& corner, PlaneId3 plane, std::array<WideSum, 3>& powers) const {
+  const MovingVector3& beside = planes_[plane.index()].normal;
+  if (!is_whole(beside)) return false;
+  std::array<Wide, 3> direction;
+  if (corner.point != MovingCorner3::kNoPoint) {
+    if (!is_whole(corner.direction)) return false;
+    const Whole first = whole(plain(corner.direction.first)), second = whole(corner.direction.second);
+    direction[0] = {first.x, first.y, first.z};
+    direction[1] = {second.x, second.y, second.z};
+  } else {
+    const bool is_turned = corner.first.is_opposite != corner.second.is_opposite;
+    const MovingVector3& p = planes_[(is_turned ? corner.second : corner.first).plane.index()].normal;
+    const MovingVector3& q = planes_[(is_turned ? corner.first : corner.second).plane.index()].normal;
+    if (!is_whole(p) || !is_whole(q)) return false;
+    const Whole p0 = whole(plain(p.first)), p1 = whole(p.second), q0 = whole(plain(q.first)), q1 = whole(q.second);
+    add_cross(p0, q0, direction[0]);
+    add_cross(p1, q0, direction[1]);
+    add_cross(p0, q1, direction[1]);
+    add_cross(p1, q1, direction[2]);
+  }
+  const Whole n0 = whole(plain(beside.first)), n1 = whole(beside.second);
+  for (std::size_t k = 0; k < 3; ++k) {
+    add_dot(direction[k], n0, powers[k]);
+    if (k > 0) add_dot(direction[k - 1], n1, powers[k]);
+  }
+  return true;
+}
 
 const IntegerVector& MovingPlanes3::exact_edge(Plane& plane) {
   if (!plane.exact_edge) {

@@ -86,17 +86,9 @@ MovingCutter3::Cut MovingCutter3::clip(MovingFragment3& fragment, PlaneSide3 sid
 
 // Whether one of the planes does: first those of the cone, then those of the fragment.
 bool MovingCutter3::separates(const MovingFragment3& fragment, const Cone& cone, std::uint32_t place) {
-  if (place < cone.sides.size()) {
-    const PlaneSide3 side = cone.sides[place];
-    if (planes_.is_any_positive(fragment, side)) return false;
-    find_signs(fragment, side);
-    return true;
-  }
+  if (place < cone.sides.size()) return planes_.rely_if_none_is_positive(fragment, cone.sides[place]);
   const PlaneSide3 plane = fragment[place - cone.sides.size()].plane;
-  const PlaneSide3 side = cone.is_antipodal ? plane.opposite() : plane;
-  if (planes_.is_any_positive(cone.corners, side)) return false;
-  planes_.rely(cone.corners, side);
-  return true;
+  return planes_.rely_if_none_is_positive(cone.corners, cone.is_antipodal ? plane.opposite() : plane);
 }
 
 bool MovingCutter3::is_apart(const MovingFragment3& fragment, const Cone& cone, std::uint32_t& hint) {
@@ -111,20 +103,20 @@ bool MovingCutter3::is_apart(const MovingFragment3& fragment, const Cone& cone, 
   return false;
 }
 
-bool MovingCutter3::subtract(const MovingFragment3& fragment, std::span<const PlaneSide3> sides,
-                             MovingFragments3& rest) {
+bool MovingCutter3::subtract(MovingFragment3& fragment, std::span<const PlaneSide3> sides, MovingFragments3& rest) {
   const std::size_t before = rest.size();
-  current_ = fragment;
+  const MovingFragment3* inside = &fragment;
   for (const PlaneSide3 side : sides) {
-    const Extremes extremes = find_signs(current_, side);
+    const Extremes extremes = find_signs(*inside, side);
     if (!extremes.has_negative) continue;
     if (!extremes.has_positive) {
       rest.resize_down(before);
-      rest.add() = fragment;
+      std::swap(rest.add(), fragment);
       return false;
     }
-    split_cone(planes_, current_, signs_, side, &next_, &rest.add());
+    split_cone(planes_, *inside, signs_, side, &next_, &rest.add());
     std::swap(current_, next_);
+    inside = &current_;
   }
   return true;
 }

@@ -63,8 +63,8 @@ class MovingCutter3 {
   bool is_apart(const MovingFragment3& fragment, const Cone& cone, std::uint32_t& hint);
 
   // Appends to `rest` what is left of the fragment when all that is on the positive side of every one of these is
-  // taken away; returns whether anything was.
-  bool subtract(const MovingFragment3& fragment, std::span<const PlaneSide3> sides, MovingFragments3& rest);
+  // taken away; returns whether anything was. The fragment is any afterwards.
+  bool subtract(MovingFragment3& fragment, std::span<const PlaneSide3> sides, MovingFragments3& rest);
 
  private:
   struct Extremes {

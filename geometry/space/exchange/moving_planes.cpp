@@ -80,6 +80,9 @@ void MovingPlanes3::add_lines() {
 
 void MovingPlanes3::take(const Stretch3& stretch) {
   stretch_ = &stretch;
+  ++stretch_stamp_;
+  known_zeros_.forget();
+  in_face_.resize(bodies_.bodies.size());
   look_from(stretch);
   toward_.resize(bodies_.points.size());
   exact_toward_.resize(bodies_.points.size());
@@ -311,29 +314,13 @@ bool MovingPlanes3::is_one_face(PlaneId3 a, PlaneId3 b) const {
 }
 
 int MovingPlanes3::settled_sign(const MovingCorner3& corner, PlaneId3 plane) {
-  if (is_zero_by_identity(corner, plane)) {
+  if (is_zero_by_identity(corner, plane) || known_zeros_.has(corner, plane)) {
     counts_.count(SignTier::kCombinatorial);
     return 0;
   }
   counts_.count(SignTier::kExact);
-  if (corner.point == MovingCorner3::kNoPoint && is_small(corner) && is_small(plane)) {
-    const Int128 value =
-        small_determinant(planes_[corner.first.plane.index()].normal.first,
-                          planes_[corner.second.plane.index()].normal.first, planes_[plane.index()].normal.first);
-    const int sign = value > 0 ? 1 : value < 0 ? -1 : 0;
-    return corner.first.is_opposite != corner.second.is_opposite ? -sign : sign;
-  }
+  if (std::array<WideSum, 3> powers; sum_whole(corner, plane, powers)) return powers[0].sign();
   return dot_sign(exact_first(corner), exact_normal(plane));
-}
-
-// Whether the doubles of a normal and of its change are small integers.
-bool MovingPlanes3::is_small(PlaneId3 id) const {
-  const MovingVector3& normal = planes_[id.index()].normal;
-  return is_small_integer(normal.first) && normal.terms[0] < 0x1p40 && normal.terms[1] < 0x1p40;
-}
-
-bool MovingPlanes3::is_small(const MovingCorner3& corner) const {
-  return is_small(corner.first.plane) && is_small(corner.second.plane);
 }
 
 }  // namespace hottel

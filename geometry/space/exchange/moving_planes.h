@@ -11,12 +11,14 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/space/exchange/known_zeros.h"
 #include "geometry/space/exchange/moving_corner.h"
 #include "geometry/space/exchange/moving_vector.h"
 #include "geometry/space/exchange/pair_bodies.h"
 #include "geometry/space/exchange/stretch.h"
 #include "geometry/space/exchange/wide_vector.h"
 #include "geometry/space/visibility/eye_plane.h"
+#include "kernel/wide_sum.h"
 
 namespace hottel {
 
@@ -73,11 +75,13 @@ class MovingPlanes3 {
   MovingCorner3 corner_at(std::uint32_t point, bool is_antipode, PlaneSide3 plane) const;
   MovingCorner3 corner(PlaneSide3 first, PlaneSide3 second);
 
-  // Whether some corner, or some point, is on the positive side. Not relied on.
-  bool is_any_positive(std::span<const MovingCorner3> corners, PlaneSide3 side);
+  // Whether some point is on the positive side. Not relied on.
   bool is_any_positive(std::span<const std::uint32_t> points, PlaneSide3 side);
   // The signs of corners. Relied on, each.
   void find_signs(std::span<const MovingCorner3> corners, PlaneSide3 side, std::vector<signed char>& signs);
+  // Relies on the signs of all corners, or points, where none is positive. False where one is: then on nothing.
+  bool rely_if_none_is_positive(std::span<const MovingCorner3> corners, PlaneSide3 side);
+  bool rely_if_none_is_positive(std::span<const std::uint32_t> points, PlaneSide3 side);
   // Relies on those of points.
   void rely(std::span<const std::uint32_t> points, PlaneSide3 side);
   // The sign of the angle from one direction to another, about the normal of a plane in which both are: +1 where it is
@@ -124,6 +128,10 @@ class MovingPlanes3 {
   struct Values {
     double value, error;
   };
+  // c[0] + c[1] s + c[2] s^2, whose coefficients are off by e at most.
+  struct Quadratic {
+    std::array<double, 3> c, e;
+  };
 
   void add_lines();
   PlaneSide3 line(std::uint32_t a, std::uint32_t b) const;  // through two points that are ends of an edge of a body
@@ -151,6 +159,8 @@ class MovingPlanes3 {
   int sign(std::uint32_t point, PlaneId3 plane, const BoundedVector& normal);
   // Relies on a sign; `value` is the product of direction and normal.
   void rely(const MovingCorner3& corner, PlaneId3 plane, const MovingVector3& normal, BoundedValue value, int sign);
+  void rely_closely(const MovingCorner3& corner, PlaneId3 plane, const Quadratic& near, int sign);
+  static Quadratic quadratic(const MovingCorner3& corner, const MovingVector3& normal, BoundedValue value);
   // Three planes of which two are lines with an end in common: the determinant is that of a point beside a plane times
   // that of another one, but for its sign.
   struct Factors {
@@ -159,10 +169,11 @@ class MovingPlanes3 {
   };
   std::optional<Factors> factors(PlaneId3 a, PlaneId3 b, PlaneId3 c) const;
   bool rely_on_factors(const MovingCorner3& corner, PlaneId3 plane);
-  bool is_small(PlaneId3 plane) const;
-  bool is_small(const MovingCorner3& corner) const;
+  // The determinant's powers of s, where doubles hold all that they are made of. False where they do not.
+  bool sum_whole(const MovingCorner3& corner, PlaneId3 plane, std::array<WideSum, 3>& powers) const;
   const std::array<Integer, 3>& exact_determinant(const MovingCorner3& corner, PlaneId3 plane);  // until the next call
   bool is_zero_for_every_t(const MovingCorner3& corner, PlaneId3 plane);
+  bool is_found_zero_for_every_t(const MovingCorner3& corner, PlaneId3 plane);
   // Whether c[0] + c[1] s + c[2] s^2, which are off by e, has no root between left and right, as a simple bound tells.
   bool is_far_from_zero(const std::array<double, 3>& c, const std::array<double, 3>& e);
   // Narrows left and right to the nearest roots of c[0] + c[1] s + c[2] s^2, which are off by e. False where there may
@@ -201,6 +212,10 @@ class MovingPlanes3 {
     IntegerVector vector;
   };
   std::vector<ExactToward> exact_toward_;
+  KnownZeros3 known_zeros_;
+  std::vector<std::uint64_t> in_face_;  // of bodies: the stamp of a stretch that is in the plane of its face
+  std::uint64_t stretch_stamp_ = 0;
+  std::vector<std::pair<BoundedValue, int>> beside_;  // of corners: how far beside a plane, and the sign
   IntegerVector product_;
   ExactPolynomial polynomial_;
   std::array<Integer, 3> determinant_;

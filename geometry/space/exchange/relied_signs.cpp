@@ -16,8 +16,15 @@ constexpr double kRootError = 0x1p-46;
 
 }  // namespace
 
+inline bool MovingPlanes3::is_far_from_zero(const std::array<double, 3>& c, const std::array<double, 3>& e) {
+  const double reach = std::max(left_, right_);
+  ++relied_;
+  return std::fabs(c[0]) - e[0] > (std::fabs(c[1]) + e[1]) * reach + (std::fabs(c[2]) + e[2]) * reach * reach;
+}
+
 int MovingPlanes3::facing(std::uint32_t body) {
   if (bodies_.is_far(body)) return 1;
+  if (in_face_[body] == stretch_stamp_) return 0;
   const PairBodies3::Body& b = bodies_.bodies[body];
   const std::uint32_t anchor = b.corners.front();
   const BoundedVector& w = toward_[anchor];
@@ -29,7 +36,10 @@ int MovingPlanes3::facing(std::uint32_t body) {
     return std::array<Integer, 3>{exact_height(body), dot(b.exact_normal(), exact_drift(anchor)), 0};
   };
   if (sign == 0) {
-    is_unlucky_ |= exact()[1] != 0;
+    if (exact()[1] == 0)
+      in_face_[body] = stretch_stamp_;
+    else
+      is_unlucky_ = true;
     return 0;
   }
   const double slope = dot(plain(b.normal), moves_[anchor]);
@@ -41,19 +51,16 @@ int MovingPlanes3::facing(std::uint32_t body) {
 
 // For a sign that is zero at t: the other coefficients of its polynomial are zero too.
 bool MovingPlanes3::is_zero_for_every_t(const MovingCorner3& corner, PlaneId3 plane) {
+  if (known_zeros_.has(corner, plane)) return true;
+  if (!is_found_zero_for_every_t(corner, plane)) return false;
+  known_zeros_.add(corner, plane);
+  return true;
+}
+
+bool MovingPlanes3::is_found_zero_for_every_t(const MovingCorner3& corner, PlaneId3 plane) {
   counts_.count(SignTier::kExact);
-  if (corner.point == MovingCorner3::kNoPoint && is_small(corner) && is_small(plane)) {
-    const auto whole = [](const Direction3& d) { return BoundedVector{d.x, d.y, d.z, size_of(d), 0}; };
-    const MovingVector3 &a = planes_[corner.first.plane.index()].normal,
-                        &b = planes_[corner.second.plane.index()].normal, &c = planes_[plane.index()].normal;
-    const BoundedVector a1 = whole(a.second), b1 = whole(b.second), c1 = whole(c.second);
-    return small_determinant(a1, b.first, c.first) + small_determinant(a.first, b1, c.first) +
-                   small_determinant(a.first, b.first, c1) ==
-               0 &&
-           small_determinant(a1, b1, c.first) + small_determinant(a1, b.first, c1) +
-                   small_determinant(a.first, b1, c1) ==
-               0;
-  }
+  if (std::array<WideSum, 3> powers; sum_whole(corner, plane, powers))
+    return powers[1].sign() == 0 && powers[2].sign() == 0;
   const std::array<Integer, 3>& c = exact_determinant(corner, plane);
   return c[1] == 0 && c[2] == 0;
 }
@@ -64,23 +71,12 @@ int MovingPlanes3::sign(std::uint32_t point, PlaneId3 plane, const BoundedVector
     counts_.count(SignTier::kFilter);
     return result;
   }
-  if (passes_through(planes_[plane.index()], point)) {
+  if (passes_through(planes_[plane.index()], point) || known_zeros_.has(point, plane)) {
     counts_.count(SignTier::kCombinatorial);
     return 0;
   }
   counts_.count(SignTier::kExact);
   return dot_sign(exact_toward(point), exact_normal(plane));
-}
-
-bool MovingPlanes3::is_any_positive(std::span<const MovingCorner3> corners, PlaneSide3 side) {
-  const BoundedVector& m = normal(side.plane).first;
-  const int positive = side.is_opposite ? -1 : 1;
-  return std::any_of(corners.begin(), corners.end(), [&](const MovingCorner3& corner) {
-    const int sign = filtered_sign(corner.direction.first, m);
-    if (sign == kUndecided) return settled_sign(corner, side.plane) == positive;
-    counts_.count(SignTier::kFilter);
-    return sign == positive;
-  });
 }
 
 bool MovingPlanes3::is_any_positive(std::span<const std::uint32_t> points, PlaneSide3 side) {
@@ -107,6 +103,30 @@ void MovingPlanes3::find_signs(std::span<const MovingCorner3> corners, PlaneSide
   }
 }
 
+bool MovingPlanes3::rely_if_none_is_positive(std::span<const MovingCorner3> corners, PlaneSide3 side) {
+  const MovingVector3& m = normal(side.plane);
+  const int positive = side.is_opposite ? -1 : 1;
+  beside_.clear();
+  for (const MovingCorner3& corner : corners) {
+    const BoundedValue value = dot(corner.direction.first, m.first);
+    int sign = sign_of(value);
+    if (sign == kUndecided)
+      sign = settled_sign(corner, side.plane);
+    else
+      counts_.count(SignTier::kFilter);
+    if (sign == positive) return false;
+    beside_.emplace_back(value, sign);
+  }
+  for (std::size_t k = 0; k < corners.size(); ++k) rely(corners[k], side.plane, m, beside_[k].first, beside_[k].second);
+  return true;
+}
+
+bool MovingPlanes3::rely_if_none_is_positive(std::span<const std::uint32_t> points, PlaneSide3 side) {
+  if (is_any_positive(points, side)) return false;
+  rely(points, side);
+  return true;
+}
+
 void MovingPlanes3::rely(std::span<const std::uint32_t> points, PlaneSide3 side) {
   const MovingVector3& m = normal(side.plane);
   for (const std::uint32_t point : points) {
@@ -115,16 +135,31 @@ void MovingPlanes3::rely(std::span<const std::uint32_t> points, PlaneSide3 side)
   }
 }
 
-void MovingPlanes3::rely(const MovingCorner3& corner, PlaneId3 plane, const MovingVector3& m, BoundedValue value,
-                         int sign) {
+// The polynomial of a corner beside a plane, with what it may be off.
+inline MovingPlanes3::Quadratic MovingPlanes3::quadratic(const MovingCorner3& corner, const MovingVector3& m,
+                                                         BoundedValue value) {
   const MovingVector3& v = corner.direction;
   const Direction3 v0 = plain(v.first), m0 = plain(m.first);
-  const bool is_linear = corner.point != MovingCorner3::kNoPoint;
-  const std::array<double, 3> c{value.value, dot(v.second, m0) + dot(v0, m.second),
-                                is_linear ? 0 : dot(v.third, m0) + dot(v.second, m.second)};
   const auto bound = [&](int a, int b) { return 32 * kUnit * v.terms[a] * m.terms[b]; };
-  const std::array<double, 3> e{value.error, bound(1, 0) + bound(0, 1), is_linear ? 0 : bound(2, 0) + bound(1, 1)};
-  if (is_far_from_zero(c, e)) return;
+  Quadratic result{{value.value, dot(v.second, m0) + dot(v0, m.second), 0},
+                   {value.error, bound(1, 0) + bound(0, 1), 0}};
+  if (corner.point == MovingCorner3::kNoPoint) {
+    result.c[2] = dot(v.third, m0) + dot(v.second, m.second);
+    result.e[2] = bound(2, 0) + bound(1, 1);
+  }
+  return result;
+}
+
+inline void MovingPlanes3::rely(const MovingCorner3& corner, PlaneId3 plane, const MovingVector3& m, BoundedValue value,
+                                int sign) {
+  const Quadratic near = quadratic(corner, m, value);
+  if (!is_far_from_zero(near.c, near.e)) rely_closely(corner, plane, near, sign);
+}
+
+// Where there may be a root.
+void MovingPlanes3::rely_closely(const MovingCorner3& corner, PlaneId3 plane, const Quadratic& near, int sign) {
+  const auto& [c, e] = near;
+  const bool is_linear = corner.point != MovingCorner3::kNoPoint;
   if (is_zero_by_identity(corner, plane) || is_about_one_body(corner, plane)) return;
   if (sign == 0) {
     if (is_unlucky_) return;
@@ -164,6 +199,10 @@ bool MovingPlanes3::rely_on_factors(const MovingCorner3& corner, PlaneId3 plane)
 
 // The polynomial whose sign is relied on, in integers.
 const std::array<Integer, 3>& MovingPlanes3::exact_determinant(const MovingCorner3& corner, PlaneId3 plane) {
+  if (std::array<WideSum, 3> powers; sum_whole(corner, plane, powers)) {
+    for (std::size_t k = 0; k < 3; ++k) powers[k].set(determinant_[k]);
+    return determinant_;
+  }
   const auto& d = exact_direction(corner).powers;
   const IntegerVector &n = exact_normal(plane), &n1 = exact_turn(plane);
   const auto add = [](Integer& sum, const IntegerVector& a, const IntegerVector& b) {
@@ -177,12 +216,6 @@ const std::array<Integer, 3>& MovingPlanes3::exact_determinant(const MovingCorne
     if (k > 0) add(determinant_[k], d[k - 1], n1);
   }
   return determinant_;
-}
-
-bool MovingPlanes3::is_far_from_zero(const std::array<double, 3>& c, const std::array<double, 3>& e) {
-  const double reach = std::max(left_, right_);
-  ++relied_;
-  return std::fabs(c[0]) - e[0] > (std::fabs(c[1]) + e[1]) * reach + (std::fabs(c[2]) + e[2]) * reach * reach;
 }
 
 bool MovingPlanes3::narrow(const std::array<double, 3>& c, const std::array<double, 3>& e, int sign, double accuracy) {

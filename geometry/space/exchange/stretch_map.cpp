@@ -37,7 +37,9 @@ std::uint64_t label_of(const MovingCorner3& corner) {
   return (std::min(a, b) << 32) | (std::max(a, b) << 1) | (is_turned ? 1 : 0);
 }
 
-bool precedes(const ArcEnd3& a, const ArcEnd3& b) { return a.plane != b.plane ? a.plane < b.plane : a.label < b.label; }
+constexpr auto kPrecedes = [](const ArcEnd3& a, const ArcEnd3& b) {
+  return a.plane != b.plane ? a.plane < b.plane : a.label < b.label;
+};
 
 }  // namespace
 
@@ -386,7 +388,7 @@ void StretchMapper3::set_signature(StretchPiece3& piece) {
       all.push_back({begin.plane.plane, label_of(end), sign});
     }
   }
-  std::sort(all.begin(), all.end(), precedes);
+  std::sort(all.begin(), all.end(), kPrecedes);
   std::size_t kept = 0;
   for (const ArcEnd3& end : all) {
     if (kept > 0 && all[kept - 1].plane == end.plane && all[kept - 1].label == end.label)
