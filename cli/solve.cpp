@@ -298,7 +298,7 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
   if (options.json) streams.write("", solve_json(report));
   for (OutputFile* file : files) file->commit();
   streams.note(solve_text(report) + small_scene_text(simulation.scene(), matrix, *results.solution) + "\nin " +
-               request.directory.string() + ":" + outputs.names() +
+               request.directory.string() + ":" + outputs.names() + earlier_files_text(request.directory, files) +
                (outputs.views ? "\nwhat the cells see: " + options.views : "") +
                (outputs.render ? "\nthe picture: " + options.render : ""));
 }

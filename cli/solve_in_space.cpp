@@ -255,7 +255,8 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   streams.note(solve_text(report) + small_scene_text(simulation.scene(), factors->matrix, *solution) + "\nin " +
                directory.string() + ": radiosity.csv flux.csv radiosity.vtu " +
                (temperature ? "temperature.csv " : "") + (grid ? grid->names() : "") + (png ? "render.png " : "") +
-               "report.json" + (render ? "\nthe picture: " + options.render : ""));
+               "report.json" + earlier_files_text(directory, files) +
+               (render ? "\nthe picture: " + options.render : ""));
 }
 
 }  // namespace hottel

@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "cli/level_options.h"
 #include "cli/scene_input.h"
 #include "cli/sky_option.h"
 #include "cli/store_option.h"
+#include "io/files/output_file.h"
 #include "io/results/solve_report.h"
 #include "solver/radiosity/light_test.h"
 #include "solver/radiosity/radiosity_options.h"
@@ -61,6 +63,10 @@ void require_room_for_light(const SolveOptions& options, const std::array<std::u
 // options of light (--tone, --exposure, --contours) where something else is shown; and, for --render, unless its file
 // is a picture.
 Shown shown_of(const SolveOptions& options);
+
+// A line that names files of `hottel solve` in its folder that this run did not write: they are of an earlier one, with
+// other options. Empty where there are none. Starts with a new line.
+std::string earlier_files_text(const std::filesystem::path& directory, std::span<OutputFile* const> written);
 
 // The range of what is shown, for a report; nothing of nothing.
 std::optional<PictureRange> range_of(const std::optional<ShownValues>& shown);

@@ -59,6 +59,18 @@ TEST(Solve, WritesSixFilesInAFolderNamedAfterTheScene) {
   EXPECT_THAT(lines[3], StartsWith("walls[1],0,all,1,0,0.5,0.316034294237087"));
 }
 
+TEST(Solve, TellsWhichFilesInItsFolderAreOfAnEarlierRun) {
+  const Workplace place;
+  place.write("room.json", square(R"({"reflectivity": "1/2"})"));
+  EXPECT_THAT(place.run("hottel solve room.json -o out --grid 4x4").err, Not(HasSubstr("of an earlier run")));
+  EXPECT_THAT(place.run("hottel solve room.json -o out --grid 4x4").err, Not(HasSubstr("of an earlier run")));
+  const Outcome outcome = place.run("hottel solve room.json -o out --no-illumination");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("of an earlier run, and left as it was: illumination.npy illumination.npy.json "
+                                     "illumination.png\n"));
+  EXPECT_THAT(place.read("out/illumination.png"), StartsWith("\x89PNG"));
+}
+
 TEST(Solve, ReportsWhatTheContractNames) {
   const Workplace place;
   place.write("room.json", square(R"({"reflectivity": [0.5, 0.25, 0]})"));
