@@ -2,6 +2,8 @@
 #pragma once
 
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>             // optional
+#include <pybind11/stl/filesystem.h>  // path
 
 namespace hottel::python {
 

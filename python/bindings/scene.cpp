@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "geometry/planarity.h"
 #include "geometry/scene_names.h"
+#include "geometry/space/scene/near_plane.h"
 #include "geometry/space/scene/polygon.h"
 #include "io/scene/plane/map_reader.h"
+#include "io/scene/table_writer.h"
 #include "kernel/support/failure.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
@@ -15,18 +18,39 @@
 
 namespace hottel::python {
 
+namespace {
+
+// Throws RequestError where a polygon that is plane but for the rounding of its file is not so near to a plane by the
+// digits that a text has.
+void require_planes_kept(const Scene3& scene) {
+  FinestDigit finest;
+  for (const Polygon3& polygon : scene.polygons)
+    for (const Point3& p : corners_of(polygon))
+      for (const Rational* coordinate : {&p.x, &p.y, &p.z}) {
+        std::string number = json_number(*coordinate);
+        std::erase(number, '"');
+        finest.take(number);
+      }
+  for (std::size_t s = 0; s < scene.polygons.size(); ++s)
+    if (Polygon3 polygon = scene.polygons[s]; polygon.is_nearly_plane && !accept_nearly_plane(polygon, finest.unit()))
+      throw RequestError("polygon '" + scene.surfaces[s].name +
+                         "' is plane but for the rounding of its file, which no text of a scene can say");
+}
+
+}  // namespace
+
 const SceneTable& PythonScene::table() const {
   return std::visit([](const auto& scene) -> const SceneTable& { return scene; }, *scene_);
 }
 
-std::string PythonScene::text() const {
+std::string PythonScene::key() const {
   if (const auto* const plane = std::get_if<Scene2>(scene_.get())) return write_scene_2(*plane);
-  const Scene3& space = std::get<Scene3>(*scene_);
-  for (std::size_t s = 0; s < space.polygons.size(); ++s)
-    if (space.polygons[s].is_nearly_plane)
-      throw RequestError("polygon '" + space.surfaces[s].name +
-                         "' is plane but for the rounding of its file: no text of a scene can say so");
-  return write_scene_3(space);
+  return write_scene_3(std::get<Scene3>(*scene_));
+}
+
+std::string PythonScene::text() const {
+  if (const auto* const space = std::get_if<Scene3>(scene_.get())) require_planes_kept(*space);
+  return key();
 }
 
 namespace {
@@ -157,7 +181,7 @@ std::string short_table(const PythonScene& scene) {
 }
 
 bool are_equal(const PythonScene& a, const PythonScene& b) {
-  return a.is_plane() == b.is_plane() && a.text() == b.text();
+  return a.is_plane() == b.is_plane() && a.key() == b.key();
 }
 
 void add_properties(py::class_<PythonScene>& type) {
@@ -208,7 +232,9 @@ void add_scene(py::module_& module) {
   py::class_<PythonScene> type(
       module, "Scene",
       "A scene in the plane or in space. It never changes; what changes it returns another one.\n\n"
-      "Scene(table, folder=None, binary=False) takes a dict with the keys of a scene file. An int, str,\n"
+      "Scene(table, folder=None, binary=False) takes a dict with the keys of a scene file, where \"hottel\" may be "
+      "left\n"
+      "out. An int, str,\n"
       "fractions.Fraction or decimal.Decimal is exact; a float is its shortest decimal, as in a file: 0.1 is one\n"
       "tenth. With binary=True a float is the double that it is. Files of meshes are found in the folder.\n"
       "Throws InputError for what is no scene, TypeError for objects that no scene holds.");
@@ -222,7 +248,7 @@ void add_scene(py::module_& module) {
   type.def("__len__", [](const PythonScene& scene) { return scene.table().surfaces.size(); })
       .def("__repr__", &short_table)
       .def("__eq__", &are_equal, py::is_operator())
-      .def("__hash__", [](const PythonScene& scene) { return py::hash(py::str(scene.text())); })
+      .def("__hash__", [](const PythonScene& scene) { return py::hash(py::str(scene.key())); })
       .def(py::pickle([](const PythonScene& scene) { return py::str(scene.text()); },
                       [](const py::str& text) { return parsed(text.cast<std::string>()); }));
   module.def(

@@ -18,7 +18,9 @@ class PythonScene {
   const hottel::Scene& scene() const { return *scene_; }
   const SceneTable& table() const;
   bool is_plane() const { return std::holds_alternative<Scene2>(*scene_); }
-  // The text of a scene file. Throws RequestError where no file can hold it.
+  // Equal for scenes that say the same.
+  std::string key() const;
+  // The text of a scene file that reads back to the same. Throws RequestError where no file can hold it.
   std::string text() const;
 
  private:

@@ -41,7 +41,8 @@ class SceneWriter {
 
   void write_object(const py::dict& object, const std::string& place, int depth) {
     text_ += '{';
-    bool is_first = true;
+    bool is_first = depth > 0 || object.contains("hottel");
+    if (!is_first) text_ += R"("hottel":1)";  // what a file begins with
     for (const auto& [key, value] : object) {
       if (!py::isinstance<py::str>(key))
         throw py::type_error((place.empty() ? "the scene" : place) + " has a key that is " + type_of(key) +

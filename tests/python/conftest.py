@@ -33,5 +33,5 @@ def square():
         "polylines": [
             {"name": "walls", "material": "grey", "points": [[0, 0], [0, 1], [2, 1], [2, 0]]},
         ],
-        "edges": [{"name": "floor", "material": "warm", "from": [2, 0], "to": [0, 0]}],
+        "edges": [{"name": "floor", "material": "warm", "points": [[2, 0], [0, 0]]}],
     }
