@@ -20,6 +20,7 @@ namespace py = pybind11;
 // REQUIRES as many values as the shape says.
 template <class T>
 py::array frozen(std::vector<T> values, std::vector<py::ssize_t> shape) {
+  values.reserve(1);  // without an address NumPy would take memory of its own
   auto owned = std::make_unique<std::vector<T>>(std::move(values));
   const T* const data = owned->data();
   const py::capsule base(owned.release(), [](void* pointer) { delete static_cast<std::vector<T>*>(pointer); });

@@ -1,8 +1,8 @@
 #include "python/bindings/errors.h"
 
 #include <array>
-#include <cstring>
 #include <exception>
+#include <filesystem>
 
 #include "geometry/near_names.h"
 #include "kernel/support/failure.h"
@@ -52,7 +52,7 @@ py::object made(PyObject* type, std::string message, const std::vector<std::stri
 void set_input_error(const InputError& failure) {
   const FileLine& where = failure.where();
   const std::string reason = std::string(failure.what()).substr(where.text().size() + 2);
-  const bool has_file = where.file != kNoFile;
+  const bool has_file = std::filesystem::path(where.file).filename() != kNoFile;
   const py::object error = made(input_error, has_file ? failure.what() : reason, failure.hints());
   error.attr("reason") = reason;
   error.attr("surface") = text_or_none(surface_in(reason));

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/near_names.h"
+#include "io/results/temperature_files.h"
 #include "python/bindings/bindings.h"
 #include "solver/radiosity/element_temperatures.h"
 
@@ -73,11 +74,11 @@ PythonRadiosity radiosity_table(const ExchangeMatrix& matrix, const RadiositySol
 PythonTemperatures temperature_table(const SceneTable& scene, const ExchangeMatrix& matrix,
                                      const RadiositySolution& solution) {
   const ElementTemperatures temperatures(scene.materials);
-  const std::size_t channels = solution.channels.size();
+  const std::size_t channels = solution.channels.size(), elements = has_temperatures(scene) ? matrix.size() : 0;
   const BoundedTemperature none{kNan, kNan, kNan};
   std::vector<std::uint32_t> rows;
   std::vector<BoundedTemperature> found;  // by row and channel
-  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+  for (std::uint32_t i = 0; i < elements; ++i) {
     if (!matrix.has_row(i)) continue;
     std::vector<BoundedTemperature> of_row;
     bool is_any = false;

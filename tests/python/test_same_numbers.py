@@ -2,6 +2,7 @@
 
 import math
 
+import numpy
 import pytest
 
 import hottel
@@ -43,15 +44,17 @@ def assert_same_table(lines, names, table, columns):
     assert next(values, None) is None
 
 
-def element_name(line):
-    return line["face"] if line["element"] == "0" else line["face"] + "#" + line["element"]
+def element_names(table):
+    """What lines of a csv call a row: an element is 0 where the face is not divided."""
+    whole = set(table.names)
+    return lambda line: line["face"] if line["face"] in whole else line["face"] + "#" + line["element"]
 
 
 @pytest.mark.parametrize("scene", QUICK)
 def test_factors_are_those_of_the_program(scene):
     code, listed, message = run_program("factors", scene)
     if code != 0:
-        return assert_refused_alike(message, lambda: hottel.Simulation(hottel.read_scene(ROOT / scene), per="face").factors)
+        return assert_refused_alike(message, lambda: hottel.Simulation(hottel.read_scene(scene), per="face").factors)
     factors = hottel.Simulation(hottel.read_scene(scene), per="group" if scene.endswith(".vs3") else "face").factors
     shares = factors.visibility
     lines = table_of(listed)
@@ -71,16 +74,14 @@ def test_radiosities_temperatures_and_fluxes_are_those_of_the_program(scene, tmp
         return assert_refused_alike(message, lambda: hottel.Simulation(hottel.read_scene(scene)).radiosity)
     simulation = hottel.Simulation(hottel.read_scene(scene))
     columns = {c: c for c in ("emission", "reflectivity", "radiosity", "lower", "upper", "irradiance", "net")}
-    lines = table_of((tmp_path / "radiosity.csv").read_text())
-    if any(line["element"] != "0" for line in lines):
-        lines = [line for line in lines if element_name(line) in simulation.radiosity.names]
-    assert_same_table(lines, element_name, simulation.radiosity, columns)
+    table = simulation.radiosity
+    assert_same_table(table_of((tmp_path / "radiosity.csv").read_text()), element_names(table), table, columns)
     fluxes = table_of((tmp_path / "flux.csv").read_text())
     for per, table in (("face", simulation.flux), ("group", simulation.group_flux), ("light", simulation.light_flux)):
         assert_same_table([line for line in fluxes if line["per"] == per], lambda line: line["name"], table,
                           {"net": "net", "lower": "lower", "upper": "upper"})
-    warm = tmp_path / "temperature.csv"
-    assert_same_table(table_of(warm.read_text()) if warm.exists() else [], element_name, simulation.temperatures,
+    table, warm = simulation.temperatures, tmp_path / "temperature.csv"
+    assert_same_table(table_of(warm.read_text()) if warm.exists() else [], element_names(table), table,
                       {"temperature": "temperature", "lower": "lower", "upper": "upper"})
 
 
@@ -113,3 +114,28 @@ def test_threads_change_nothing():
     one, all_of_them = (hottel.Simulation(scene, threads=threads) for threads in (1, None))
     assert (one.factors.factors == all_of_them.factors.factors).all()
     assert (one.radiosity.upper == all_of_them.radiosity.upper).all()
+
+
+def test_light_and_polygons_of_points_are_those_of_the_program(tmp_path):
+    scene, points = "scenes/showcase/apartment.json", [[0.3 + 0.7 * i, 0.2 + 0.45 * j] for i in range(12) for j in range(12)]
+    (tmp_path / "points.csv").write_text("x,y\n" + "".join(f"{x!r},{y!r}\n" for x, y in points))
+    code, _, message = run_program("visibility", scene, "--points", tmp_path / "points.csv", "--irradiance", "-o",
+                                   tmp_path / "seen.npz")
+    assert code == 0, message
+    wanted = numpy.load(tmp_path / "seen.npz")
+    simulation = hottel.Simulation(hottel.read_scene(scene), per="face")
+    seen, light = simulation.visible(points), simulation.light(points)
+    assert seen.xy.tobytes() == wanted["xy"].tobytes() and (seen.begin == wanted["begin"]).all()
+    assert [seen.names[k] for k in seen.face] == [wanted["names"][k] for k in wanted["face"]]
+    assert numpy.array_equal(light, wanted["irradiance"], equal_nan=True) and numpy.isfinite(light).any()
+
+
+def test_light_in_space_is_that_of_the_grid_of_the_program(tmp_path):
+    grid = {"origin": [0, 0, "1/4"], "u": [1, 0, 0], "v": [0, 1, 0], "cells": [4, 2]}
+    scene = hottel.read_scene("scenes/space/cube.json").replace(grid=grid)
+    (tmp_path / "scene.json").write_text(scene.to_json())
+    code, _, message = run_program("solve", tmp_path / "scene.json", "-o", tmp_path, "--no-picture")
+    assert code == 0, message
+    centres = [[(2 * i + 1) / 8, (2 * j + 1) / 4, 0.25] for j in range(2) for i in range(4)]
+    light = hottel.Simulation(scene).light(centres)
+    assert light.tobytes() == numpy.load(tmp_path / "illumination.npy").tobytes()

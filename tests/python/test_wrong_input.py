@@ -63,6 +63,17 @@ def test_a_wrong_surface_is_named(square):
     assert refused.value.reason == str(refused.value) == "edge 'floor' has length zero"
 
 
+def test_files_of_a_dict_are_found_in_its_folder():
+    meshes = {"dimension": 3, "materials": {"m": {}}, "meshes": [{"name": "room", "file": "room_axis.obj", "material": "m"}]}
+    with pytest.raises(hottel.InputError) as refused:
+        hottel.Scene(meshes, SCENES)
+    assert refused.value.file is not None and "room_axis.obj" in str(refused.value)
+    assert len(hottel.Scene(meshes, SCENES / "space")) > 6
+    with pytest.raises(hottel.InputError) as refused:
+        hottel.Scene({"dimension": 3, "colour": 1}, SCENES)
+    assert refused.value.file is None and refused.value.line is None
+
+
 def test_a_wrong_file_is_named(tmp_path):
     path = SCENES / "degenerate/refused/zero_length_edge.json"
     with pytest.raises(hottel.InputError) as refused:
@@ -151,7 +162,7 @@ def test_requests_that_cannot_be_met(square):
     with pytest.raises(hottel.RequestError, match="closed") as refused:
         hottel.Simulation(hottel.Scene(square)).factors
     assert isinstance(refused.value, RuntimeError) and not isinstance(refused.value, ValueError)
-    with pytest.raises(hottel.RequestError, match="memory"):
+    with pytest.raises(hottel.RequestError, match="allowed are 1000"):
         hottel.Simulation(hottel.read_scene(SCENES / "showcase/museum.json"), memory=1000).factors
 
 
