@@ -64,11 +64,12 @@ def test_a_wrong_surface_is_named(square):
 
 
 def test_files_of_a_dict_are_found_in_its_folder():
-    meshes = {"dimension": 3, "materials": {"m": {}}, "meshes": [{"name": "room", "file": "room_axis.obj", "material": "m"}]}
+    meshes = {"dimension": 3, "materials": {"foil": {}},
+              "mesh": {"name": "bus", "file": "satellite_bus.stl", "material": "foil"}}
     with pytest.raises(hottel.InputError) as refused:
         hottel.Scene(meshes, SCENES)
-    assert refused.value.file is not None and "room_axis.obj" in str(refused.value)
-    assert len(hottel.Scene(meshes, SCENES / "space")) > 6
+    assert "satellite_bus.stl" in str(refused.value)
+    assert len(hottel.Scene(meshes, SCENES / "heat")) > 6
     with pytest.raises(hottel.InputError) as refused:
         hottel.Scene({"dimension": 3, "colour": 1}, SCENES)
     assert refused.value.file is None and refused.value.line is None
