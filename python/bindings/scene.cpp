@@ -232,8 +232,10 @@ void add_scene(py::module_& module) {
   py::class_<PythonScene> type(
       module, "Scene",
       "A scene in the plane or in space. It never changes; what changes it returns another one.\n\n"
-      "Scene(table, folder=None, binary=False) takes a dict with the keys of a scene file, where \"hottel\" may be left\n"
-      "out. An int, str, fractions.Fraction or decimal.Decimal is exact; a float is its shortest decimal, as in a file:\n"
+      "Scene(table, folder=None, binary=False) takes a dict with the keys of a scene file, where \"hottel\" may be "
+      "left\n"
+      "out. An int, str, fractions.Fraction or decimal.Decimal is exact; a float is its shortest decimal, as in a "
+      "file:\n"
       "0.1 is one tenth. With binary=True a float is the double that it is. Files of meshes are found in the folder.\n"
       "Throws InputError for what is no scene, TypeError for objects that no scene holds.");
   type.def(py::init([](const py::dict& table, const std::optional<std::filesystem::path>& folder, bool binary) {
