@@ -11,6 +11,7 @@
 #include "python/bindings/radiosity.h"
 #include "python/bindings/simulation_options.h"
 #include "python/bindings/visible.h"
+#include "solver/plane/simulation/questions.h"
 
 namespace hottel::python {
 namespace {
@@ -159,6 +160,21 @@ class PythonSimulation {
     return visible_arrays(*prepared, polygons);
   }
 
+  py::dict exact_form(const std::string& from, const std::string& to) const {
+    if (!scene_.is_plane())
+      throw UsageError("closed forms are of scenes in the plane; this version does not have them in space");
+    const ExactPair2 pair = waited([&](const AnySimulation&, const StageProgress& progress) {
+      in_the_plane().prepared(progress);
+      return exact_pair(in_the_plane(), from, to);
+    });
+    py::dict result;
+    result["exchange"] = pair.exchange.to_string();
+    result["unobstructed"] = pair.unobstructed.to_string();
+    result["area_from"] = pair.area_from.to_string();
+    result["area_to"] = pair.area_to.to_string();
+    return result;
+  }
+
   std::string text() const {
     return std::string("<hottel.Simulation of a scene in ") + (scene_.is_plane() ? "the plane" : "space") +
            ", method " + options_.method + ">";
@@ -246,20 +262,15 @@ void add_results(py::class_<PythonSimulation>& type) {
                              "The net fluxes of lights, NetFlux. RequestError as of radiosity.");
 }
 
-}  // namespace
-
-void add_simulation(py::module_& module) {
-  py::class_<PythonSimulation> type(module, "Simulation", kDoc);
-  type.def(py::init(&new_simulation), py::arg("scene"), py::kw_only(), py::arg("elements") = py::none(),
-           py::arg("element_size") = py::none(), py::arg("per") = py::none(), py::arg("method") = "exact",
-           py::arg("tolerance") = py::none(), py::arg("guarantee") = "estimated", py::arg("sky") = py::none(),
-           py::arg("solver") = "auto", py::arg("iterations") = py::none(), py::arg("until") = py::none(),
-           py::arg("memory") = py::none(), py::arg("simulate") = "auto", py::arg("threads") = py::none(),
-           py::arg("progress") = py::none(), "Makes a simulation; see the class.");
-  add_results(type);
+void add_questions(py::class_<PythonSimulation>& type) {
   type.def("with_scene", &PythonSimulation::with_scene, py::arg("scene"),
            "Returns the simulation of another scene of the same dimension, asked for alike. It shares what does not\n"
            "change: after an edit of emissions view factors are not computed again. UsageError for another dimension.")
+      .def(
+          "exact_form", &PythonSimulation::exact_form, py::arg("from_name"), py::arg("to_name"),
+          "Returns a pair of the plane in closed form, a dict of 'exchange' (the area times the view factor),\n"
+          "'unobstructed' (what it would be with nothing between), 'area_from' and 'area_to': sums of square roots as\n"
+          "str, '-2 + 1*sqrt(5)', in units of the scene. UsageError for names that there are not, and in space.")
       .def(
           "light", &PythonSimulation::light, py::arg("points"), py::kw_only(), py::arg("binary") = false,
           "Returns the mean irradiance at n points, float64 of shape (n, c) by channel, [W/m] in the plane, [W/m2] in\n"
@@ -271,8 +282,22 @@ void add_simulation(py::module_& module) {
           py::arg("binary") = false,
           "Returns what n points of the plane see, Visible: exact visibility polygons, their corners rounded.\n\n"
           "points and binary: as of light(). range: a number; nothing beyond that distance is seen. Throws TypeError,\n"
-          "InputError for points that are none, UsageError for scenes in space.")
-      .def("__repr__", &PythonSimulation::text);
+          "InputError for points that are none, UsageError for scenes in space.");
+}
+
+}  // namespace
+
+void add_simulation(py::module_& module) {
+  py::class_<PythonSimulation> type(module, "Simulation", kDoc);
+  type.def(py::init(&new_simulation), py::arg("scene"), py::kw_only(), py::arg("elements") = py::none(),
+           py::arg("element_size") = py::none(), py::arg("per") = py::none(), py::arg("method") = "exact",
+           py::arg("tolerance") = py::none(), py::arg("guarantee") = "estimated", py::arg("sky") = py::none(),
+           py::arg("solver") = "auto", py::arg("iterations") = py::none(), py::arg("until") = py::none(),
+           py::arg("memory") = py::none(), py::arg("simulate") = "auto", py::arg("threads") = py::none(),
+           py::arg("progress") = py::none(), "Makes a simulation; see the class.");
+  add_results(type);
+  add_questions(type);
+  type.def("__repr__", &PythonSimulation::text);
 }
 
 }  // namespace hottel::python

@@ -96,6 +96,17 @@ def test_elements_are_divided_as_the_program_divides_them(scene):
         assert float(line["factor"]) == factors[line["from"], line["to"]]["factor"]
 
 
+@pytest.mark.parametrize("scene", ["scenes/analytic/strip_obstructed.json", "scenes/degenerate/kettner_a1.json"])
+def test_closed_forms_are_those_of_the_program(scene):
+    code, listed, _ = run_program("factors", scene, "--exact-form")
+    lines = table_of(listed)
+    assert code == 0 and len(lines) > 1
+    simulation = hottel.Simulation(hottel.read_scene(scene), per="face")
+    for line in lines:
+        form = simulation.exact_form(line["from"], line["to"])
+        assert (form["exchange"], form["area_from"]) == (line["exchange"], line["area"])
+
+
 def test_an_approximate_method_is_that_of_the_program():
     scene = "scenes/analytic/strip_obstructed.json"
     code, listed, _ = run_program("factors", scene, "--method", "gauss:4", "--elements", 8)

@@ -119,7 +119,11 @@ def test_points_of_any_real_dtype_and_layout(simulation, dtype):
 def test_no_points_and_far_points(simulation):
     assert simulation.light([]).shape == simulation.light(numpy.zeros((0, 2))).shape == (0, 1)
     assert len(simulation.visible([])) == 0
-    assert simulation.light([[1e300, -1e300], [5e-324, 0.5]]).shape == (2, 1)
+    assert simulation.light([[1e300, -1e300], [5e-324, 0.5], [1e308, 1e308]]).shape == (3, 1)
+    assert len(simulation.visible([[1e300, -1e300], [5e-324, 0.5]])) == 2
+    cube = hottel.Simulation(hottel.read_scene(SCENES / "space/cube.json"))
+    assert cube.light([[1e300, -1e300, 1e300], [5e-324, 0.5, 0.5]]).shape == (2, 1)
+    assert cube.light([]).shape == (0, 1)
 
 
 @pytest.mark.parametrize(
@@ -171,6 +175,7 @@ def test_names_that_there_are_not(simulation):
     for ask in (lambda: simulation.factors["floor", "celing"], lambda: simulation.factors["sky", "floor"],
                 lambda: simulation.factors.index("x"), lambda: simulation.radiosity["x"],
                 lambda: simulation.radiosity.index("sky"), lambda: simulation.factors.to_names("x"),
+                lambda: simulation.exact_form("x", "floor"), lambda: simulation.exact_form("sky", "floor"),
                 lambda: simulation.factors.from_names("x"), lambda: simulation.factors.to_scipy("colour")):
         with pytest.raises(hottel.UsageError):
             ask()
@@ -187,5 +192,7 @@ def test_space_has_no_visibility_polygons():
     simulation = hottel.Simulation(hottel.read_scene(SCENES / "space/cube.json"))
     with pytest.raises(hottel.UsageError, match="in the plane"):
         simulation.visible([[0, 0, 0]])
+    with pytest.raises(hottel.UsageError, match="in the plane"):
+        simulation.exact_form("floor", "ceiling")
     with pytest.raises(hottel.UsageError, match="dimension"):
         simulation.with_scene(hottel.read_scene(SCENES / "analytic/hexagon.json"))
