@@ -5,7 +5,6 @@
 #include "kernel/support/failure.h"
 #include "python/bindings/errors.h"
 #include "python/bindings/numbers.h"
-#include "python/bindings/waiting.h"
 
 namespace hottel::python {
 
@@ -40,38 +39,19 @@ py::array_t<double> rows_of(const py::object& points, py::ssize_t width) {
   return py::array_t<double, py::array::c_style | py::array::forcecast>(array);
 }
 
-// Exact points of rows of doubles; a million take a second, so that others run meanwhile.
-template <class Make>
-auto points_of(const py::object& points, py::ssize_t width, const Make& make) {
-  const py::array_t<double> rows = rows_of(points, width);
-  const auto at = rows.unchecked<2>();
-  std::vector<decltype(make(at, 0))> result;
-  return without_lock({}, [&](const StageProgress& progress) {
-    result.reserve(static_cast<std::size_t>(at.shape(0)));
-    for (py::ssize_t k = 0; k < at.shape(0); ++k) {
-      for (py::ssize_t c = 0; c < width; ++c)
-        if (!std::isfinite(at(k, c)))
-          refuse("point " + std::to_string(k) + " has a coordinate that is no finite number");
-      result.push_back(make(at, k));
-      if (k % 1024 == 0) progress("points", static_cast<double>(k) / static_cast<double>(at.shape(0)));
-    }
-    return std::move(result);
-  });
-}
-
 }  // namespace
 
-std::vector<Point2> points_2(const py::object& array, bool is_binary) {
-  return points_of(array, 2, [is_binary](const auto& at, py::ssize_t k) {
-    return Point2{exact_number(at(k, 0), is_binary), exact_number(at(k, 1), is_binary)};
-  });
+PythonPoints::PythonPoints(const py::object& array, std::size_t dimension, bool is_binary)
+    : dimension_(dimension), is_binary_(is_binary) {
+  const py::array_t<double> rows = rows_of(array, static_cast<py::ssize_t>(dimension));
+  values_.assign(rows.data(), rows.data() + rows.size());
+  for (std::size_t k = 0; k < values_.size(); ++k)
+    if (!std::isfinite(values_[k]))
+      refuse("point " + std::to_string(k / dimension) + " has a coordinate that is no finite number");
 }
 
-std::vector<Point3> points_3(const py::object& array, bool is_binary) {
-  return points_of(array, 3, [is_binary](const auto& at, py::ssize_t k) {
-    return Point3{exact_number(at(k, 0), is_binary), exact_number(at(k, 1), is_binary),
-                  exact_number(at(k, 2), is_binary)};
-  });
+Rational PythonPoints::at(std::size_t k, std::size_t c) const {
+  return exact_number(values_[k * dimension_ + c], is_binary_);
 }
 
 }  // namespace hottel::python

@@ -36,10 +36,25 @@ py::array frozen(std::vector<T> values) {
 
 py::tuple tuple_of(const std::vector<std::string>& texts);
 
-// Returns the points of an array-like of n rows of 2 or 3 numbers; an empty list has no points. A float is its
-// shortest decimal as in scene files, or with is_binary the double that it is. Throws TypeError for what is no array of
-// real numbers, InputError for another shape and for what is not finite, naming the point.
-std::vector<Point2> points_2(const py::object& array, bool is_binary);
-std::vector<Point3> points_3(const py::object& array, bool is_binary);
+// Points that came from outside: doubles that are kept, and made exact when they are asked for.
+class PythonPoints {
+ public:
+  // Of an array-like of n rows of so many numbers; an empty list has no points. A float is its shortest decimal as in
+  // scene files, or with is_binary the double that it is. Throws TypeError for what is no array of real numbers,
+  // InputError for another shape and for what is not finite, naming the point.
+  PythonPoints(const py::object& array, std::size_t dimension, bool is_binary);
+
+  std::size_t size() const { return values_.size() / dimension_; }
+  // REQUIRES that dimension, and k < size().
+  Point2 in_plane(std::size_t k) const { return {at(k, 0), at(k, 1)}; }
+  Point3 in_space(std::size_t k) const { return {at(k, 0), at(k, 1), at(k, 2)}; }
+
+ private:
+  Rational at(std::size_t k, std::size_t c) const;
+
+  std::size_t dimension_;
+  bool is_binary_;
+  std::vector<double> values_;
+};
 
 }  // namespace hottel::python

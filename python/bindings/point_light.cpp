@@ -20,14 +20,14 @@ void in_parts(std::size_t n, std::size_t part, const char* stage, const StagePro
   }
 }
 
-// Sets values by light(point).
-template <class Point, class Light>
-PointLightValues lights_of(std::size_t channels, std::span<const Point> points, std::size_t part,
+// Sets values by light(k) of each point.
+template <class Light>
+PointLightValues lights_of(std::size_t channels, const PythonPoints& points, std::size_t part,
                            const StageProgress& progress, const Light& light) {
   PointLightValues result{channels, std::vector<double>(points.size() * channels)};
   in_parts(points.size(), part, "light at points", progress, [&](std::size_t first, std::size_t end) {
     parallel_for(end - first, [&](std::size_t k) {
-      const std::vector<double> found = light(points[first + k]);
+      const std::vector<double> found = light(first + k);
       std::copy(found.begin(), found.end(),
                 result.values.begin() + static_cast<std::ptrdiff_t>((first + k) * channels));
     });
@@ -37,32 +37,33 @@ PointLightValues lights_of(std::size_t channels, std::span<const Point> points, 
 
 }  // namespace
 
-PointLightValues light_at_points(const Simulation2& simulation, std::span<const Point2> points,
+PointLightValues light_at_points(const Simulation2& simulation, const PythonPoints& points,
                                  const StageProgress& progress) {
   const PointLights2 lights = point_lights(simulation, progress);
   const Arrangement2& arrangement = lights.prepared().arrangement;
   const PointLocation2 location(arrangement.vertices(), arrangement.triangulation());
   return lights_of(lights.channel_names().size(), points, 1024, progress,
-                   [&](const Point2& point) { return lights.at(location, point); });
+                   [&](std::size_t k) { return lights.at(location, points.in_plane(k)); });
 }
 
-PointLightValues light_at_points(const Simulation3& simulation, std::span<const Point3> points,
+PointLightValues light_at_points(const Simulation3& simulation, const PythonPoints& points,
                                  const StageProgress& progress) {
   const auto solution = simulation.radiosities(progress);
   const auto prepared = simulation.prepared(progress);
   const OrientedLights3 lights(*prepared, simulation.request().factors.granularity, *solution);
   const Vector3 up{0, 0, 1};  // the mean over all directions is the same whatever way an area looks
   return lights_of(solution->channel_names.size(), points, 64, progress,
-                   [&](const Point3& point) { return lights.at(point, up).mean_irradiance; });
+                   [&](std::size_t k) { return lights.at(points.in_space(k), up).mean_irradiance; });
 }
 
-std::vector<RoundedPolygon2> polygons_of(const PreparedScene2& prepared, std::span<const Point2> points,
+std::vector<RoundedPolygon2> polygons_of(const PreparedScene2& prepared, const PythonPoints& points,
                                          const PolygonsOptions2& wanted, const StageProgress& progress) {
   std::vector<RoundedPolygon2> result;
   const VisibilityPolygons2 polygons(prepared.arrangement);
   in_parts(points.size(), 1024, "visibility polygons", progress, [&](std::size_t first, std::size_t end) {
-    for (RoundedPolygon2& polygon : polygons.all(points.subspan(first, end - first), wanted))
-      result.push_back(std::move(polygon));
+    std::vector<Point2> eyes;
+    for (std::size_t k = first; k < end; ++k) eyes.push_back(points.in_plane(k));
+    for (RoundedPolygon2& polygon : polygons.all(eyes, wanted)) result.push_back(std::move(polygon));
   });
   return result;
 }

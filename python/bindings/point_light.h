@@ -1,10 +1,10 @@
 // What is asked of many points: light, and what they see, in parts that are short enough to be ended between them.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "geometry/plane/visibility/polygons_of_points.h"
+#include "python/bindings/arrays.h"
 #include "solver/plane/simulation/simulation.h"
 #include "solver/space/simulation/simulation.h"
 
@@ -18,13 +18,13 @@ struct PointLightValues {
 
 // Returns the mean irradiance at each point; NaN in solids. Throws RequestError where there is no solution, and what
 // progress throws. COST: parallel.
-PointLightValues light_at_points(const Simulation2& simulation, std::span<const Point2> points,
+PointLightValues light_at_points(const Simulation2& simulation, const PythonPoints& points,
                                  const StageProgress& progress);
-PointLightValues light_at_points(const Simulation3& simulation, std::span<const Point3> points,
+PointLightValues light_at_points(const Simulation3& simulation, const PythonPoints& points,
                                  const StageProgress& progress);
 
 // Returns visibility_polygons of the points, and throws what progress throws.
-std::vector<RoundedPolygon2> polygons_of(const PreparedScene2& prepared, std::span<const Point2> points,
+std::vector<RoundedPolygon2> polygons_of(const PreparedScene2& prepared, const PythonPoints& points,
                                          const PolygonsOptions2& wanted, const StageProgress& progress);
 
 }  // namespace hottel::python

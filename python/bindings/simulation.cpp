@@ -138,26 +138,24 @@ class PythonSimulation {
 
   py::array light(const py::object& array, bool is_binary) const {
     if (scene_.is_plane()) {
-      const std::vector<Point2> points = points_2(array, is_binary);
+      const PythonPoints points(array, 2, is_binary);
       return light_at([&](const StageProgress& progress) { return light_at_points(in_the_plane(), points, progress); });
     }
-    const std::vector<Point3> points = points_3(array, is_binary);
+    const PythonPoints points(array, 3, is_binary);
     return light_at([&](const StageProgress& progress) { return light_at_points(in_space(), points, progress); });
   }
 
   PythonVisible visible(const py::object& array, const py::object& range, bool is_binary) const {
     if (!scene_.is_plane())
       throw UsageError("visibility polygons are of scenes in the plane; this version does not have them in space");
-    const std::vector<Point2> points = points_2(array, is_binary);
+    const PythonPoints points(array, 2, is_binary);
     PolygonsOptions2 wanted;
     if (!range.is_none()) wanted.range = rational_of(range, is_binary, "range");
     if (wanted.range && *wanted.range <= 0) throw UsageError("range is a distance above 0");
-    std::shared_ptr<const PreparedScene2> prepared;
-    const auto polygons = without_lock(options_.waiting, [&](const StageProgress& progress) {
-      prepared = in_the_plane().prepared(progress);
-      return polygons_of(*prepared, points, wanted, progress);
-    });
-    return visible_arrays(*prepared, polygons);
+    return PythonVisible(without_lock(options_.waiting, [&](const StageProgress& progress) {
+      const auto prepared = in_the_plane().prepared(progress);
+      return visible_lists(*prepared, polygons_of(*prepared, points, wanted, progress));
+    }));
   }
 
   py::dict exact_form(const std::string& from, const std::string& to) const {

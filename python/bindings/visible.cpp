@@ -1,6 +1,8 @@
 #include "python/bindings/visible.h"
 
 #include <map>
+#include <unordered_map>
+#include <utility>
 
 #include "geometry/plane/visibility/polygons_of_points.h"
 #include "kernel/support/failure.h"
@@ -8,27 +10,34 @@
 
 namespace hottel::python {
 
-PythonVisible visible_arrays(const PreparedScene2& prepared, const std::vector<RoundedPolygon2>& polygons) {
-  std::vector<double> xy;
-  std::vector<std::int64_t> begin{0};
-  std::vector<std::int32_t> face;
-  PythonVisible visible;
-  std::map<std::string, std::int32_t> place_of;
+VisibleLists visible_lists(const PreparedScene2& prepared, const std::vector<RoundedPolygon2>& polygons) {
+  VisibleLists lists;
+  std::map<std::string, std::int32_t> place_of_name;
+  std::unordered_map<std::int64_t, std::int32_t> place_of_side;
+  const auto place_of = [&](PieceSideId side) {
+    const auto known = place_of_side.find(side.number());
+    if (known != place_of_side.end()) return known->second;
+    const std::string name = polygon_side_name(prepared, side);
+    const auto [place, is_new] = place_of_name.emplace(name, static_cast<std::int32_t>(lists.names.size()));
+    if (is_new) lists.names.push_back(name);
+    place_of_side.emplace(side.number(), place->second);
+    return place->second;
+  };
   for (const RoundedPolygon2& polygon : polygons) {
     for (const RoundedPolygon2::Corner& corner : polygon.corners) {
-      xy.insert(xy.end(), {corner.x, corner.y});
-      const std::string name = polygon_side_name(prepared, corner.after);
-      const auto [place, is_new] = place_of.emplace(name, static_cast<std::int32_t>(visible.names.size()));
-      if (is_new) visible.names.push_back(name);
-      face.push_back(place->second);
+      lists.xy.insert(lists.xy.end(), {corner.x, corner.y});
+      lists.face.push_back(place_of(corner.after));
     }
-    begin.push_back(static_cast<std::int64_t>(face.size()));
+    lists.begin.push_back(static_cast<std::int64_t>(lists.face.size()));
   }
-  const auto corners = static_cast<py::ssize_t>(face.size());
-  visible.xy = frozen(std::move(xy), {corners, 2});
-  visible.begin = frozen(std::move(begin));
-  visible.face = frozen(std::move(face));
-  return visible;
+  return lists;
+}
+
+PythonVisible::PythonVisible(VisibleLists lists) : names(std::move(lists.names)) {
+  const auto corners = static_cast<py::ssize_t>(lists.face.size());
+  xy = frozen(std::move(lists.xy), {corners, 2});
+  begin = frozen(std::move(lists.begin));
+  face = frozen(std::move(lists.face));
 }
 
 namespace {

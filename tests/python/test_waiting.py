@@ -29,11 +29,11 @@ def test_other_threads_run_meanwhile():
 
     worker = threading.Thread(target=work)
     worker.start()
-    longest, before = 0, time.monotonic()
+    turns = 0
     while not done.wait(0.001):
-        longest, before = max(longest, time.monotonic() - before), time.monotonic()
+        turns += 1
     worker.join()
-    assert 0 < longest < 0.5
+    assert turns > 20  # with the lock of the interpreter held there would be one
 
 
 def test_progress_is_told():
@@ -57,26 +57,31 @@ def test_what_progress_throws_ends_the_work():
         assert time.monotonic() - begin < 2
 
 
+class CtrlC:
+    """Progress that has Ctrl-C pressed, by another thread, when a stage is first told of."""
+
+    def __init__(self, stage):
+        self.stage = stage
+        self.hand = threading.Thread(target=os.kill, args=(os.getpid(), signal.SIGINT))
+
+    def __call__(self, stage, fraction):
+        if stage == self.stage and not self.hand.ident:
+            self.hand.start()
+
+
 def test_ctrl_c_ends_the_work_and_it_can_be_asked_for_again():
-    simulation = long_work()
-    timer = threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT))
-    timer.start()
+    simulation = long_work(progress=CtrlC("view factors"))
     begin = time.monotonic()
     with pytest.raises(KeyboardInterrupt):
         simulation.factors
     assert time.monotonic() - begin < 2
-    timer.join()
     assert (simulation.factors.factors == long_work().factors.factors).all()
 
 
 def test_ctrl_c_ends_the_light_of_many_points(square):
-    simulation = hottel.Simulation(hottel.Scene(square))
-    simulation.radiosity
-    points = numpy.random.default_rng(1).random((2_000_000, 2))
-    timer = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
-    timer.start()
+    simulation = hottel.Simulation(hottel.Scene(square), progress=CtrlC("light at points"))
+    points = numpy.random.default_rng(1).random((1_000_000, 2))
     begin = time.monotonic()
     with pytest.raises(KeyboardInterrupt):
         simulation.light(points)
     assert time.monotonic() - begin < 2
-    timer.join()
