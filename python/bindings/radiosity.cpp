@@ -55,6 +55,7 @@ PythonRadiosity radiosity_table(const ExchangeMatrix& matrix, const RadiositySol
   table.channels = solution.channel_names;
   table.guarantee = guarantee_of(solution);
   table.energy = energy_of(solution);
+  table.notes = solution.notes;
   set_rows(matrix, rows, table);
   const auto add = [&](const char* name, double (*value)(const ElementRadiosity&)) {
     table.columns[name] = filled(rows.size(), solution.channels.size(), [&](std::size_t r, std::size_t c) {
@@ -217,6 +218,9 @@ void add_radiosity(py::module_& module) {
   add_column(radiosity, "reflectivity", "Reflectivities, shape (n, c), from 0 to 1. Read only.");
   add_column(radiosity, "irradiance", "What arrives, shape (n, c), [W/m] or [W/m2]. Read only.");
   add_column(radiosity, "net", "radiosity - irradiance, shape (n, c), [W/m] or [W/m2]. Read only.");
+  radiosity.def_property_readonly(
+      "notes", [](const PythonRadiosity& table) { return tuple_of(table.notes); },
+      "What the program tells of the solution, a tuple of str: parts that no light reaches, solvers that stopped.");
   radiosity.def_property_readonly(
       "energy", [](const PythonRadiosity& table) { return py::dict(table.energy.attr("copy")()); },
       "Where the power goes [W; W per metre of depth in the plane]: a dict of 'emitted', 'absorbed', 'to_sky', "

@@ -23,6 +23,7 @@ struct NumberTable {
 // Of radiosities: the elements that have a row, as in radiosity.csv.
 struct PythonRadiosity : NumberTable {
   py::dict energy;
+  std::vector<std::string> notes;
 };
 // Of temperatures, as in temperature.csv: elements that have none are left out, channels that have none are NaN.
 struct PythonTemperatures : NumberTable {};

@@ -8,6 +8,7 @@
 #include "geometry/space/scene/near_plane.h"
 #include "geometry/space/scene/polygon.h"
 #include "io/scene/plane/map_reader.h"
+#include "io/scene/space/vs3_reader.h"
 #include "io/scene/table_writer.h"
 #include "kernel/support/failure.h"
 #include "python/bindings/arrays.h"
@@ -65,12 +66,37 @@ PythonScene from_dict(const py::dict& table, const std::filesystem::path& folder
   return PythonScene(parse_scene(text, (folder / kNoFile).string()));
 }
 
+// A scene, and what is to be said of how it was read: what was passed over, which polygons were cut.
+struct NotedScene {
+  hottel::Scene scene;
+  std::vector<std::string> notes;
+};
+
+NotedScene read_noting(const std::filesystem::path& file, bool triangulates, MapSide2 side) {
+  Triangulator3 triangulator;
+  PassedOver passed_over;
+  NotedScene noted;
+  Triangulator3* const used = triangulates ? &triangulator : nullptr;
+  if (is_vs3(file)) {
+    Vs3Scene3 deck = read_vs3_3(file, used);
+    noted = {std::move(deck.scene), std::move(deck.notes)};
+  } else {
+    noted.scene = read_scene(file, used, &passed_over, side);
+  }
+  for (const std::string& note : {passed_over.note(), triangulator.note()})
+    if (!note.empty()) noted.notes.push_back(note);
+  return noted;
+}
+
 PythonScene from_file(const std::filesystem::path& file, bool triangulates, const std::string& front) {
   if (front != "inside" && front != "outside") throw UsageError("front is 'inside' or 'outside', not '" + front + "'");
-  const py::gil_scoped_release released;
-  Triangulator3 triangulator;
-  return PythonScene(read_scene(file, triangulates ? &triangulator : nullptr, nullptr,
-                                front == "inside" ? MapSide2::kInside : MapSide2::kOutside));
+  const auto noted = [&] {
+    const py::gil_scoped_release released;
+    return read_noting(file, triangulates, front == "inside" ? MapSide2::kInside : MapSide2::kOutside);
+  }();
+  for (const std::string& note : noted.notes)
+    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw py::error_already_set();
+  return PythonScene(noted.scene);
 }
 
 std::vector<std::string> names_of(const PythonScene& scene) {
@@ -257,7 +283,8 @@ void add_scene(py::module_& module) {
       "Reads a scene of any kind of file that the program reads: .json, drawings (.svg), maps (.geojson, .wkt),\n"
       "meshes (.obj, .ply, .off, .stl) and decks of View3D (.vs3).\n\n"
       "path: str or os.PathLike. triangulate: polygons that are not plane are read as triangles NAME[k]. front:\n"
-      "'inside' or 'outside', of the polygons of a map. Throws InputError with .file, .line and .reason.");
+      "'inside' or 'outside', of the polygons of a map. What is passed over in a file is told by a UserWarning. Throws "
+      "InputError with .file, .line and .reason.");
 }
 
 }  // namespace hottel::python

@@ -3,7 +3,9 @@
 import gc
 import math
 import pickle
+import sys
 import threading
+import types
 
 import numpy
 import pytest
@@ -193,3 +195,17 @@ def test_errors_can_be_sent_to_other_processes(square):
     again = pickle.loads(pickle.dumps(refused.value))
     assert type(again) is hottel.InputError
     assert (again.surface, again.reason, again.hints) == ("floor", refused.value.reason, ())
+
+
+def test_tables_are_frames_of_pandas(simulation, monkeypatch):
+    monkeypatch.setitem(sys.modules, "pandas", types.SimpleNamespace(DataFrame=lambda columns: ("frame", list(columns))))
+    for table in (simulation.factors, simulation.radiosity, simulation.temperatures, simulation.flux):
+        assert table.to_pandas() == ("frame", list(table.columns()))
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    with pytest.raises(ImportError):
+        simulation.radiosity.to_pandas()
+
+
+def test_what_no_light_reaches_is_told():
+    table = hottel.Simulation(hottel.read_scene(SCENES / "degenerate/mirror_cell_dark.json")).radiosity
+    assert len(table.notes) > 0 and all(isinstance(note, str) for note in table.notes)

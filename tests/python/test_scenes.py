@@ -5,6 +5,7 @@ import fractions
 import decimal
 import json
 import pickle
+import warnings
 
 import numpy
 import pytest
@@ -102,3 +103,15 @@ def test_keys_are_replaced(square):
     assert closed.closed and not closed.replace(closed=None).closed
     with pytest.raises(hottel.InputError):
         scene.replace(colour="red")
+
+
+def test_what_is_passed_over_is_told(tmp_path):
+    (tmp_path / "map.wkt").write_text("POLYGON ((0 0, 4 0, 4 3, 0 3, 0 0))\nPOINT (1 1)\n")
+    with pytest.warns(UserWarning, match="point"):
+        scene = hottel.read_scene(tmp_path / "map.wkt")
+    assert len(scene) == 4
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(UserWarning):
+            hottel.read_scene(tmp_path / "map.wkt")
+        hottel.read_scene(SCENES / "drawings/hall.wkt")
