@@ -53,6 +53,10 @@ function(hottel_layer name)
   if(sources)
     add_library(hottel_${name} STATIC ${sources})
     hottel_compile_options(hottel_${name})
+    if(HOTTEL_PYTHON)  # the module is a shared object
+      set_target_properties(hottel_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+      target_compile_options(hottel_${name} PRIVATE -fno-semantic-interposition)  # as fast as without
+    endif()
     hottel_precompile(hottel_${name} <gmpxx.h>)
     if(arg_BATCHED)
       hottel_batch(hottel_${name} ${sources})

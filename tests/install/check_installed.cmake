@@ -52,6 +52,15 @@ if(NOT count EQUAL public_headers)
   message(FATAL_ERROR "${count} headers are installed; ${public_headers} are expected (see the top of this test):\n${list}")
 endif()
 
+# The module is imported from where it is installed.
+if(python)
+  run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${work}/prefix/lib/python3/dist-packages" "${python}" -c
+      "import hottel\nprint(hottel.Simulation(hottel.read_scene('${source}/scenes/space/cube.json')).factors)")
+  if(NOT output MATCHES "hottel.Factors of 12 faces")
+    message(FATAL_ERROR "The installed module prints\n${output}")
+  endif()
+endif()
+
 # What the installed README points to is there.
 file(GLOB readme "${work}/prefix/share/doc/*/README.md")
 get_filename_component(doc "${readme}" DIRECTORY)

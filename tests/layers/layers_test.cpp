@@ -22,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Each layer may include itself and those before it.
-constexpr std::array<const char*, 6> kLayers{"kernel", "geometry", "solver", "io", "viewer", "cli"};
+// Each layer may include itself and those before it. The last two are doors, which know nothing of each other.
+constexpr std::array<const char*, 7> kLayers{"kernel", "geometry", "solver", "io", "viewer", "cli", "python"};
 constexpr std::size_t kMostCgalUnits = 5;
 
 std::optional<std::size_t> layer_of(const fs::path& path) {
@@ -54,9 +54,9 @@ std::string slice_of(const fs::path& path) {
   return "";
 }
 
-// Files that have to know every dimension: commands, and the readers and writers of scenes of either.
+// Files that have to know every dimension: doors, and the readers and writers of scenes of either.
 bool serves_both(const fs::path& file) {
-  return *file.begin() == "cli" || file.string().starts_with("io/scene/scene_json");
+  return *file.begin() == "cli" || *file.begin() == "python" || file.string().starts_with("io/scene/scene_json");
 }
 
 // Why a file (path from the root) may not include this; empty when it may.
@@ -66,6 +66,7 @@ std::string problem(const fs::path& file, const Include& include) {
     const auto other = layer_of(include.path);
     if (!other) return "is not written from the root";
     if (*other > *layer) return "goes upwards";
+    if (*file.begin() == "python" && *fs::path(include.path).begin() == "cli") return "goes through the program";
     const std::string from = slice_of(file), to = slice_of(include.path);
     if (!from.empty() && !to.empty() && from != to) return "goes from " + from + " to " + to;
     if (from.empty() && !to.empty() && !serves_both(file)) return "has no dimension and knows the " + to;
@@ -291,6 +292,16 @@ TEST(Layers, FewUnitsOfTheProductCompileCgal) {
   EXPECT_LE(units.size(), kMostCgalUnits) << ::testing::PrintToString(units);
 }
 
+bool is_of_pybind(const Include& include) { return include.path.starts_with("pybind11/"); }
+
+TEST(Layers, OneFolderKnowsPython) {
+  std::set<std::string> folders;
+  for (const Source& source : product_sources())
+    if (std::any_of(source.includes.begin(), source.includes.end(), is_of_pybind))
+      folders.insert(source.path.parent_path().string());
+  EXPECT_THAT(folders, testing::ElementsAre("python/bindings"));
+}
+
 bool is_of_sdl(const Include& include) { return fs::path(include.path).filename().string().starts_with("SDL"); }
 
 TEST(Layers, OneFileKnowsSdl) {
@@ -321,6 +332,9 @@ TEST(Layers, TheCheckSeesWhatItForbids) {
   EXPECT_EQ(problem("kernel/a.h", {"geometry/b.h", true}), "goes upwards");
   EXPECT_EQ(problem("io/a.cpp", {"viewer/picture/b.h", true}), "goes upwards");
   EXPECT_EQ(problem("cli/a.cpp", {"kernel/b.h", true}), "");
+  EXPECT_EQ(problem("python/bindings/a.cpp", {"geometry/plane/scene/scene.h", true}), "");
+  EXPECT_EQ(problem("python/bindings/a.cpp", {"cli/command.h", true}), "goes through the program");
+  EXPECT_EQ(problem("cli/a.cpp", {"python/bindings/scene.h", true}), "goes upwards");
   EXPECT_EQ(problem("io/a.cpp", {"b.h", true}), "is not written from the root");
   EXPECT_EQ(problem("geometry/a.h", {"CGAL/Arrangement_2.h", false}), "brings CGAL into a header");
   EXPECT_EQ(problem("geometry/a.h", {"kernel/kernels.h", true}), "brings CGAL into a header");

@@ -34,12 +34,12 @@ const std::array<double, kRays + 1> kAngleOfRay = [] {
 }();
 
 // The angle in [0, pi] of (x, y), where y >= 0, as that of the nearest of some rays and a small one
-// from there: good to four units of the last place of pi. 0 where both are 0. No branch but one: which
-// way they went would be by chance.
+// from there: good to four units of the last place of pi. 0 where both are 0, or one is infinite or no number: the eye
+// is too far away then for a double to tell. No branch but one: which way they went would be by chance.
 double angle_up_to_half_turn(double y, double x) {
   static constexpr std::array<double, 4> kAxis{0, pi / 2, pi, pi / 2}, kSense{1, -1, -1, 1};
   const double width = std::fabs(x), along = std::max(width, y), beside = std::min(width, y);
-  if (!(along > 0)) return 0;
+  if (!(along > 0 && along < HUGE_VAL && beside >= 0)) return 0;
   const int ray = static_cast<int>(beside / along * kRays + 0.5);
   const double t = (kRays * beside - ray * along) / (kRays * along + ray * beside);
   const std::size_t octant = std::size_t{y > width} + 2 * std::size_t{x < 0};
@@ -59,9 +59,12 @@ class LightRowFinder2::Panorama {
   const View2::Seen& operator[](std::size_t k) const { return seen_[k]; }
   Code code(PieceSideId side) const { return columns_.of(side); }
   Code behind(std::size_t k) const { return columns_.of(seen_[k].behind); }
+  // Of any length; so that products do not overflow, one beyond 2^500 is shortened.
   Direction direction(std::size_t k) const {
     const auto& p = vertices_.approximate(seen_[k].vertex);
-    return {p.x - eye_.x(), p.y - eye_.y()};
+    const Direction direction{p.x - eye_.x(), p.y - eye_.y()};
+    if (std::max(std::fabs(direction.x), std::fabs(direction.y)) < 0x1p500) return direction;
+    return {direction.x * 0x1p-600, direction.y * 0x1p-600};
   }
 
   // Only the sky is seen under half a turn or more.

@@ -44,5 +44,19 @@ TEST(PointLights2, AreNanInSolids) {
   for (const double value : light.mean_irradiance) EXPECT_TRUE(std::isnan(value));
 }
 
+// However far away: products of such distances are beyond doubles.
+TEST(PointLights2, AreTheSkysFarAway) {
+  const Simulation2 simulation = apartment();
+  for (const char* far : {"1e100", "1e200", "1e300", "1e308", "1e400"}) {
+    const Rational x = *parse_rational(far);
+    for (const Point2& eye : std::vector<Point2>{{x, 0}, {-x, x}, {1, -x}, {x, x / 3}}) {
+      const PointLight2 light = light_at(simulation, eye);
+      ASSERT_FALSE(light.mean_irradiance.empty());
+      for (const double value : light.mean_irradiance)
+        EXPECT_NEAR(value, to_double(simulation.scene().sky_emission.value[0]), 1e-12) << far;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace hottel::point_lights_test

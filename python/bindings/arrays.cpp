@@ -1,0 +1,57 @@
+#include "python/bindings/arrays.h"
+
+#include <cmath>
+
+#include "kernel/support/failure.h"
+#include "python/bindings/errors.h"
+#include "python/bindings/numbers.h"
+
+namespace hottel::python {
+
+py::tuple tuple_of(const std::vector<std::string>& texts) {
+  py::tuple result(texts.size());
+  for (std::size_t k = 0; k < texts.size(); ++k) result[k] = py::str(texts[k]);
+  return result;
+}
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& text) { throw InputError({std::string(kNoFile), 0}, text); }
+
+// An array of doubles, n rows of so many numbers.
+py::array_t<double> rows_of(const py::object& points, py::ssize_t width) {
+  py::array array;
+  try {
+    array = py::module_::import("numpy").attr("asarray")(points);
+  } catch (const py::error_already_set& error) {
+    if (!error.matches(PyExc_ValueError)) throw;
+    refuse("points are n rows of " + std::to_string(width) + " numbers; these rows are not of one length");
+  }
+  if (array.ndim() == 1 && array.size() == 0) return py::array_t<double>(std::vector<py::ssize_t>{0, width});
+  const char kind = array.dtype().kind();
+  if (kind != 'f' && kind != 'i' && kind != 'u')
+    throw py::type_error("points are an array of real numbers, not of dtype " +
+                         py::str(array.dtype()).cast<std::string>());
+  if (array.ndim() != 2 || array.shape(1) != width)
+    refuse("points have the shape (n, " + std::to_string(width) + "), not " +
+           py::str(array.attr("shape")).cast<std::string>());
+  if (kind == 'f' && array.itemsize() > 8) throw py::type_error("points are doubles: a longer float would be cut");
+  return py::array_t<double, py::array::c_style | py::array::forcecast>(array);
+}
+
+}  // namespace
+
+PythonPoints::PythonPoints(const py::object& array, std::size_t dimension, bool is_binary)
+    : dimension_(dimension), is_binary_(is_binary) {
+  const py::array_t<double> rows = rows_of(array, static_cast<py::ssize_t>(dimension));
+  values_.assign(rows.data(), rows.data() + rows.size());
+  for (std::size_t k = 0; k < values_.size(); ++k)
+    if (!std::isfinite(values_[k]))
+      refuse("point " + std::to_string(k / dimension) + " has a coordinate that is no finite number");
+}
+
+Rational PythonPoints::at(std::size_t k, std::size_t c) const {
+  return exact_number(values_[k * dimension_ + c], is_binary_);
+}
+
+}  // namespace hottel::python

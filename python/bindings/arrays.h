@@ -1,0 +1,60 @@
+// Arrays of NumPy that nobody can change, and arrays that come from outside.
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/plane/point.h"
+#include "geometry/space/point.h"
+
+namespace hottel::python {
+
+namespace py = pybind11;
+
+// Returns an array that owns the values and can never be made writable: its base gives nobody a buffer to write to.
+// REQUIRES as many values as the shape says.
+template <class T>
+py::array frozen(std::vector<T> values, std::vector<py::ssize_t> shape) {
+  values.reserve(1);  // without an address NumPy would take memory of its own
+  auto owned = std::make_unique<std::vector<T>>(std::move(values));
+  const T* const data = owned->data();
+  const py::capsule base(owned.release(), [](void* pointer) { delete static_cast<std::vector<T>*>(pointer); });
+  py::array_t<T> array(std::move(shape), data, base);
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+template <class T>
+py::array frozen(std::vector<T> values) {
+  const auto size = static_cast<py::ssize_t>(values.size());
+  return frozen(std::move(values), {size});
+}
+
+py::tuple tuple_of(const std::vector<std::string>& texts);
+
+// Points that came from outside: doubles that are kept, and made exact when they are asked for.
+class PythonPoints {
+ public:
+  // Of an array-like of n rows of so many numbers; an empty list has no points. A float is its shortest decimal as in
+  // scene files, or with is_binary the double that it is. Throws TypeError for what is no array of real numbers,
+  // InputError for another shape and for what is not finite, naming the point.
+  PythonPoints(const py::object& array, std::size_t dimension, bool is_binary);
+
+  std::size_t size() const { return values_.size() / dimension_; }
+  // REQUIRES that dimension, and k < size().
+  Point2 in_plane(std::size_t k) const { return {at(k, 0), at(k, 1)}; }
+  Point3 in_space(std::size_t k) const { return {at(k, 0), at(k, 1), at(k, 2)}; }
+
+ private:
+  Rational at(std::size_t k, std::size_t c) const;
+
+  std::size_t dimension_;
+  bool is_binary_;
+  std::vector<double> values_;
+};
+
+}  // namespace hottel::python

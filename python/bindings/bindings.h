@@ -1,0 +1,19 @@
+// What the module consists of: each adds its classes, in this order.
+#pragma once
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>             // optional
+#include <pybind11/stl/filesystem.h>  // path
+
+namespace hottel::python {
+
+namespace py = pybind11;
+
+void add_errors(py::module_& module);
+void add_scene(py::module_& module);
+void add_factors(py::module_& module);
+void add_radiosity(py::module_& module);
+void add_visible(py::module_& module);
+void add_simulation(py::module_& module);
+
+}  // namespace hottel::python

@@ -1,0 +1,249 @@
+#include "python/bindings/factors.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "kernel/support/failure.h"
+#include "kernel/support/memory.h"
+#include "kernel/support/out_of_memory.h"
+#include "python/bindings/bindings.h"
+
+namespace hottel::python {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+using Take = double (*)(const ExchangeMatrix&, std::uint32_t, std::size_t);
+
+Take taking(const std::string& quantity) {
+  if (quantity == "factor")
+    return [](const ExchangeMatrix& m, std::uint32_t i, std::size_t k) { return m.row(i)[k].factor.value; };
+  if (quantity == "lower")
+    return [](const ExchangeMatrix& m, std::uint32_t i, std::size_t k) { return m.bounds(i, k).lower; };
+  if (quantity == "upper")
+    return [](const ExchangeMatrix& m, std::uint32_t i, std::size_t k) { return m.bounds(i, k).upper; };
+  if (quantity == "visibility")
+    return [](const ExchangeMatrix& m, std::uint32_t i, std::size_t k) { return m.row(i)[k].visibility; };
+  throw UsageError("there is 'factor', 'lower', 'upper' and 'visibility', not '" + quantity + "'");
+}
+
+// What stands where a pair has no entry.
+double without_entry(const std::string& quantity, bool proves_zeros) {
+  if (quantity == "visibility") return kNan;
+  return quantity == "upper" && !proves_zeros ? 1 : 0;
+}
+
+std::vector<std::string> names_of(const ExchangeMatrix& matrix) {
+  std::vector<std::string> names;
+  for (std::uint32_t i = 0; i <= matrix.sky(); ++i) names.push_back(matrix.name(i));
+  return names;
+}
+
+}  // namespace
+
+const MatrixWithVisibility& PythonFactors::visibility() const {
+  if (!visibility_) visibility_ = with_visibility_();
+  return *visibility_;
+}
+
+std::vector<double> PythonFactors::entries(const std::string& quantity) const {
+  const Take take = taking(quantity);
+  const ExchangeMatrix& matrix = quantity == "visibility" ? *visibility().matrix : *matrix_;
+  std::vector<double> values;
+  values.reserve(matrix.entry_count());
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    for (std::size_t k = 0; k < matrix.row(i).size(); ++k) values.push_back(take(matrix, i, k));
+  return values;
+}
+
+std::vector<double> PythonFactors::dense_values(const std::string& quantity) const {
+  const Take take = taking(quantity);
+  const bool is_visibility = quantity == "visibility";
+  const ExchangeMatrix& matrix = is_visibility ? *visibility().matrix : *matrix_;
+  const std::size_t n = matrix.size() + std::size_t{1};
+  if (n * n > memory_allowed() / sizeof(double)) throw OutOfMemory("a dense matrix");
+  const py::gil_scoped_release released;
+  std::vector<double> values(n * n, is_visibility ? kNan : 0);
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    double* const row = values.data() + i * n;
+    if (matrix.has_row(i)) std::fill(row, row + n, without_entry(quantity, proves_zeros_));
+    for (std::size_t k = 0; k < matrix.row(i).size(); ++k) row[matrix.row(i)[k].to] = take(matrix, i, k);
+  }
+  if (is_visibility)
+    for (const auto& [from, to] : visibility_->hidden) values[from * n + to] = 0;
+  return values;
+}
+
+py::array PythonFactors::dense(const std::string& quantity) const {
+  if (!dense_.contains(quantity)) {
+    const auto n = static_cast<py::ssize_t>(matrix_->size()) + 1;
+    dense_[py::str(quantity)] = frozen(dense_values(quantity), {n, n});
+  }
+  return dense_[py::str(quantity)];
+}
+
+namespace {
+
+// The double nearest to the area of each row, NaN for the sky.
+py::array areas_of(const PythonFactors& factors) {
+  std::vector<double> areas;
+  for (const Element& element : factors.matrix().elements()) areas.push_back(element.area.value);
+  areas.push_back(kNan);
+  return frozen(std::move(areas));
+}
+
+// An array that is the caller's.
+template <class T>
+py::array own(const std::vector<T>& values) {
+  return py::array_t<T>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
+py::object sparse(const PythonFactors& factors, const std::string& quantity) {
+  const ExchangeMatrix& matrix = factors.matrix();
+  std::vector<std::int64_t> begin{0}, columns;
+  columns.reserve(matrix.entry_count());
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    for (const FactorEntry& entry : matrix.row(i)) columns.push_back(entry.to);
+    begin.push_back(static_cast<std::int64_t>(columns.size()));
+  }
+  begin.push_back(begin.back());  // the sky has no row
+  const auto n = static_cast<py::ssize_t>(matrix.size()) + 1;
+  const py::tuple parts = py::make_tuple(own(factors.entries(quantity)), own(columns), own(begin));
+  return py::module_::import("scipy.sparse").attr("csr_matrix")(parts, py::arg("shape") = py::make_tuple(n, n));
+}
+
+// The place and the row of a name; UsageError where it has none.
+std::uint32_t row_called(const ExchangeMatrix& matrix, const std::string& name) {
+  const std::uint32_t row = require_element(matrix, name);
+  if (row == matrix.sky() || !matrix.has_row(row))
+    throw UsageError("'" + name + "' has no row: it is the sky, or has no material or no area");
+  return row;
+}
+
+py::dict pair(const PythonFactors& factors, const std::pair<std::string, std::string>& names) {
+  const ExchangeMatrix& matrix = factors.matrix();
+  const std::uint32_t i = row_called(matrix, names.first), j = require_element(matrix, names.second);
+  py::dict result;
+  double value = 0;
+  Enclosure bounds{0, factors.proves_zeros() ? 0.0 : 1.0};
+  Guarantee guarantee = factors.proves_zeros() ? Guarantee::kExact : Guarantee::kEstimated;
+  const auto row = matrix.row(i);
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    if (row[k].to != j) continue;
+    value = row[k].factor.value;
+    bounds = matrix.bounds(i, k);
+    guarantee = matrix.guarantee(i, k);
+  }
+  result["factor"] = value;
+  result["lower"] = bounds.lower;
+  result["upper"] = bounds.upper;
+  result["guarantee"] = to_string(guarantee);
+  return result;
+}
+
+py::tuple seen_by(const PythonFactors& factors, const std::string& from) {
+  const ExchangeMatrix& matrix = factors.matrix();
+  std::vector<std::string> names;
+  for (const FactorEntry& entry : matrix.row(row_called(matrix, from))) names.push_back(matrix.name(entry.to));
+  return tuple_of(names);
+}
+
+py::tuple seeing(const PythonFactors& factors, const std::string& to) {
+  const ExchangeMatrix& matrix = factors.matrix();
+  const std::uint32_t j = require_element(matrix, to);
+  std::vector<std::string> names;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    if (matrix.has_row(i))
+      for (const FactorEntry& entry : matrix.row(i))
+        if (entry.to == j) names.push_back(matrix.name(i));
+  return tuple_of(names);
+}
+
+// The columns of `hottel factors`, a line a pair.
+py::dict columns_of(const PythonFactors& factors) {
+  const ExchangeMatrix& matrix = factors.matrix();
+  py::list from, to, guarantees;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {
+      from.append(matrix.name(i));
+      to.append(matrix.name(matrix.row(i)[k].to));
+      guarantees.append(to_string(matrix.guarantee(i, k)));
+    }
+  py::dict columns;
+  columns["from"] = from;
+  columns["to"] = to;
+  for (const char* quantity : {"factor", "lower", "upper"}) columns[quantity] = frozen(factors.entries(quantity));
+  columns["guarantee"] = guarantees;
+  return columns;
+}
+
+std::string short_text(const PythonFactors& factors) {
+  const ExchangeMatrix& matrix = factors.matrix();
+  return "<hottel.Factors of " + std::to_string(matrix.size()) + " faces and the sky, " +
+         std::to_string(matrix.entry_count()) + " that are not 0, " + to_string(matrix.guarantee()) + ">";
+}
+
+void add_arrays(py::class_<PythonFactors>& type) {
+  const auto dense = [&type](const char* name, const char* quantity, const char* doc) {
+    type.def_property_readonly(
+        name, [quantity](const PythonFactors& factors) { return factors.dense(quantity); }, doc);
+  };
+  dense("factors", "factor",
+        "View factors, float64 of shape (n, n), n as len(names): row from, column to, the sky last. 0 in the rows of\n"
+        "the sky and of what has no material. No unit. Read only.");
+  dense("lower", "lower", "Proven lower bounds of `factors`, of the same shape. Read only.");
+  dense("upper", "upper",
+        "Proven upper bounds of `factors`, of the same shape. 0 where a pair is proven to exchange nothing; by an\n"
+        "approximate method nothing is proven, and they are 1. Read only.");
+  dense(
+      "visibility", "visibility",
+      "How much of what a pair would exchange alone it exchanges, float64 of shape (n, n), from 0 to 1; NaN where it\n"
+      "would exchange nothing. Of the method 'exact'; computed when it is first asked for. Read only.\n"
+      "UsageError for another method.");
+  type.def_property_readonly("areas", &areas_of,
+                             "Areas, float64 of shape (n,), in the plane lengths, in units of the scene (squared in\n"
+                             "space); NaN for the sky. Read only.");
+}
+
+}  // namespace
+
+void add_factors(py::module_& module) {
+  py::class_<PythonFactors> type(
+      module, "Factors",
+      "View factors of all pairs, with bounds. factors['a', 'b'] is one of them: a dict of\n"
+      "'factor', 'lower', 'upper' and 'guarantee'; UsageError for a name that there is not.");
+  type.def_property_readonly(
+          "names", [](const PythonFactors& factors) { return tuple_of(names_of(factors.matrix())); },
+          "The names of rows and columns, a tuple of str: 'wall', 'wall:back', 'wall#2'; 'sky' is the last.")
+      .def_property_readonly(
+          "guarantee", [](const PythonFactors& factors) { return to_string(factors.matrix().guarantee()); },
+          "'exact': each factor is the double nearest to the true number. 'enclosed': it is within the tolerance,\n"
+          "proven by lower and upper. 'estimated': some only by two rules that agree. The weakest of all pairs.");
+  add_arrays(type);
+  type.def("to_scipy", &sparse, py::arg("quantity") = "factor",
+           "Returns a scipy.sparse.csr_matrix of shape (n, n) of 'factor', 'lower', 'upper' or 'visibility' of the\n"
+           "pairs that exchange something. It is the caller's own. UsageError for another quantity.")
+      .def(
+          "index",
+          [](const PythonFactors& factors, const std::string& name) { return require_element(factors.matrix(), name); },
+          py::arg("name"), "Returns the row and column of a name, an int. UsageError where there is none.")
+      .def("to_names", &seen_by, py::arg("from_name"),
+           "Returns the names of what a face sees, the sky too, in order. UsageError for what has no row.")
+      .def("from_names", &seeing, py::arg("to_name"),
+           "Returns the names of the faces that see a face, or the sky. UsageError for a name that there is not.")
+      .def(
+          "columns", &columns_of,
+          "Returns a dict of columns, a line for each pair that exchanges something: 'from', 'to', 'factor', 'lower',\n"
+          "'upper', 'guarantee'.")
+      .def(
+          "to_pandas",
+          [](const PythonFactors& factors) {
+            return py::module_::import("pandas").attr("DataFrame")(columns_of(factors));
+          },
+          "Returns columns() as a pandas.DataFrame. ImportError where pandas is not installed.")
+      .def("__getitem__", &pair, py::arg("pair"))
+      .def("__len__", [](const PythonFactors& factors) { return factors.matrix().size() + 1; })
+      .def("__repr__", &short_text);
+}
+
+}  // namespace hottel::python

@@ -1,0 +1,14 @@
+// The module hottel._core, which is the library hottel.
+#include "kernel/version.h"
+#include "python/bindings/bindings.h"
+
+PYBIND11_MODULE(_core, module) {
+  module.doc() = "Exact view factors and light of scenes in the plane and in space: the library itself.";
+  module.attr("__version__") = hottel::kVersion;
+  hottel::python::add_errors(module);
+  hottel::python::add_scene(module);
+  hottel::python::add_factors(module);
+  hottel::python::add_radiosity(module);
+  hottel::python::add_visible(module);
+  hottel::python::add_simulation(module);
+}

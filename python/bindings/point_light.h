@@ -1,0 +1,30 @@
+// What is asked of many points: light, and what they see, in parts that are short enough to be ended between them.
+#pragma once
+
+#include <vector>
+
+#include "geometry/plane/visibility/polygons_of_points.h"
+#include "python/bindings/arrays.h"
+#include "solver/plane/simulation/simulation.h"
+#include "solver/space/simulation/simulation.h"
+
+namespace hottel::python {
+
+// By point, then by channel.
+struct PointLightValues {
+  std::size_t channels = 1;
+  std::vector<double> values;
+};
+
+// Returns the mean irradiance at each point; NaN in solids. Throws RequestError where there is no solution, and what
+// progress throws. COST: parallel.
+PointLightValues light_at_points(const Simulation2& simulation, const PythonPoints& points,
+                                 const StageProgress& progress);
+PointLightValues light_at_points(const Simulation3& simulation, const PythonPoints& points,
+                                 const StageProgress& progress);
+
+// Returns visibility_polygons of the points, and throws what progress throws.
+std::vector<RoundedPolygon2> polygons_of(const PreparedScene2& prepared, const PythonPoints& points,
+                                         const PolygonsOptions2& wanted, const StageProgress& progress);
+
+}  // namespace hottel::python

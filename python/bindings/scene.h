@@ -1,0 +1,30 @@
+// Scenes of either dimension, as Python holds them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+
+#include "geometry/scene_table.h"
+#include "io/scene/scene_json.h"
+
+namespace hottel::python {
+
+// A scene that never changes; copies share it.
+class PythonScene {
+ public:
+  explicit PythonScene(hottel::Scene scene) : scene_(std::make_shared<const hottel::Scene>(std::move(scene))) {}
+
+  const hottel::Scene& scene() const { return *scene_; }
+  const SceneTable& table() const;
+  bool is_plane() const { return std::holds_alternative<Scene2>(*scene_); }
+  // Equal for scenes that say the same.
+  std::string key() const;
+  // The text of a scene file that reads back to the same. Throws RequestError where no file can hold it.
+  std::string text() const;
+
+ private:
+  std::shared_ptr<const hottel::Scene> scene_;
+};
+
+}  // namespace hottel::python

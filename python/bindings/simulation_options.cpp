@@ -1,0 +1,132 @@
+#include "python/bindings/simulation_options.h"
+
+#include <cmath>
+#include <limits>
+
+#include "geometry/near_names.h"
+#include "geometry/plane/scene/division.h"
+#include "geometry/space/scene/division.h"
+#include "io/foreign/plane/foreign_matrix.h"
+#include "io/foreign/space/foreign_matrix.h"
+#include "kernel/support/failure.h"
+
+namespace hottel::python {
+namespace {
+
+void require_within(const char* name, const std::optional<std::int64_t>& value, std::int64_t most) {
+  if (value && (*value < 1 || *value > most))
+    throw UsageError(std::string(name) + " is a whole number from 1 to " + std::to_string(most) + ", not " +
+                     std::to_string(*value));
+}
+
+void require_positive(const char* name, const std::optional<double>& value) {
+  if (value && !(*value > 0 && std::isfinite(*value)))
+    throw UsageError(std::string(name) + " is a positive number, not " + shortest(*value));
+}
+
+void require_one_of(const char* name, const std::string& value, const std::vector<std::string>& known) {
+  for (const std::string& each : known)
+    if (value == each) return;
+  std::string list;
+  for (const std::string& each : known) list += (list.empty() ? "'" : ", '") + each + "'";
+  throw UnknownName(std::string(name) + " is one of " + list + ", not '" + value + "'", value, known);
+}
+
+Granularity granularity_of(const std::string& per) {
+  require_one_of("per", per, {"face", "element", "group"});
+  return per == "face" ? Granularity::kFace : per == "element" ? Granularity::kElement : Granularity::kGroup;
+}
+
+// As the program takes --solver, --iterations and --until.
+Solver solver_of(const SimulationOptions& options, bool has_symmetric_rows) {
+  std::vector<std::string> known;
+  for (int k = 0; k <= static_cast<int>(Solver::kShooting); ++k) known.push_back(to_string(static_cast<Solver>(k)));
+  require_one_of("solver", options.solver, known);
+  const Solver solver = *solver_named(options.solver);
+  if (!options.iterations && !options.until) return solver;
+  if (solver == Solver::kCholesky || solver == Solver::kLu)
+    throw UsageError("iterations and until do not apply to '" + options.solver + "', which is direct");
+  if (solver == Solver::kAuto) return has_symmetric_rows ? Solver::kCg : Solver::kBicgstab;
+  return solver;
+}
+
+std::optional<int> iterations_of(const SimulationOptions& options) {
+  return options.iterations ? std::optional(static_cast<int>(*options.iterations)) : std::nullopt;
+}
+
+std::uint64_t memory_of(const SimulationOptions& options) {
+  return static_cast<std::uint64_t>(options.memory.value_or(0));
+}
+
+using Shared = std::shared_ptr<const AnySimulation>;
+
+Shared in_plane(Scene2 scene, const SimulationOptions& options) {
+  SimulationRequest2 request;
+  request.method = all_methods_2().make(options.method);
+  if (options.per) request.granularity = granularity_of(*options.per);
+  request.everything = options.simulate == "everything";
+  request.solver = solver_of(options, options.method == "exact");
+  request.iterations = iterations_of(options);
+  request.until = options.until;
+  request.memory = memory_of(options);
+  return std::make_shared<const AnySimulation>(std::in_place_type<Simulation2>, std::move(scene), std::move(request));
+}
+
+Shared in_space(Scene3 scene, const SimulationOptions& options) {
+  SimulationRequest3 request;
+  if (options.method != "exact") request.factors.method = all_methods_3().make(options.method);
+  request.factors.granularity = options.per         ? granularity_of(*options.per)
+                                : is_divided(scene) ? Granularity::kElement
+                                                    : Granularity::kFace;
+  request.factors.tolerance = options.tolerance.value_or(request.factors.tolerance);
+  request.factors.sky = options.sky == "closure" ? SkyBy::kClosure : SkyBy::kIntegral;
+  request.factors.must_be_enclosed = options.guarantee == "enclosed";
+  request.factors.memory = memory_of(options);
+  request.system = {.solver = solver_of(options, false), .iterations = iterations_of(options), .until = options.until};
+  request.plan.everything = options.simulate == "everything";
+  return std::make_shared<const AnySimulation>(std::in_place_type<Simulation3>, std::move(scene), std::move(request));
+}
+
+template <class AnyScene>
+void divide(AnyScene& scene, const SimulationOptions& options) {
+  if (options.elements) divide_into(scene, static_cast<std::uint32_t>(*options.elements));
+  if (!options.element_size) return;
+  if (const auto surface = divide_by_length(scene, *options.element_size, kMaxElements))
+    throw UsageError("element_size asks for more than " + std::to_string(kMaxElements) + " elements on '" +
+                     scene.surfaces[*surface].name + "'");
+}
+
+}  // namespace
+
+void require_sense(const SimulationOptions& options, bool is_plane) {
+  require_within("elements", options.elements, kMaxElements);
+  require_within("iterations", options.iterations, std::numeric_limits<int>::max());
+  require_within("memory", options.memory, std::numeric_limits<std::int64_t>::max());
+  if (options.waiting.threads) require_within("threads", *options.waiting.threads, 4096);
+  require_positive("tolerance", options.tolerance);
+  require_positive("until", options.until);
+  require_one_of("guarantee", options.guarantee, {"estimated", "enclosed"});
+  require_one_of("simulate", options.simulate, {"auto", "everything"});
+  if (options.sky) require_one_of("sky", *options.sky, {"integration", "closure"});
+  if (options.elements && options.element_size) throw UsageError("elements and element_size exclude each other");
+  if (options.element_size && *options.element_size <= 0) throw UsageError("element_size is a positive number");
+  const bool is_of_space = options.tolerance || options.sky || options.guarantee != "estimated";
+  if (is_plane && is_of_space)
+    throw UsageError(
+        "tolerance, sky and guarantee are of scenes in space: in the plane every factor is correctly "
+        "rounded");
+  if (options.method != "exact" && (is_of_space || options.memory))
+    throw UsageError("tolerance, sky, guarantee and memory are of the method 'exact', not of '" + options.method + "'");
+}
+
+hottel::Scene divided(hottel::Scene scene, const SimulationOptions& options) {
+  std::visit([&options](auto& each) { divide(each, options); }, scene);
+  return scene;
+}
+
+std::shared_ptr<const AnySimulation> simulation_of(hottel::Scene scene, const SimulationOptions& options) {
+  if (auto* const plane = std::get_if<Scene2>(&scene)) return in_plane(std::move(*plane), options);
+  return in_space(std::get<Scene3>(std::move(scene)), options);
+}
+
+}  // namespace hottel::python

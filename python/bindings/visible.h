@@ -1,0 +1,32 @@
+// Visibility polygons as Python holds them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/visibility/rounded_polygon.h"
+#include "python/bindings/arrays.h"
+
+namespace hottel::python {
+
+// What points see, as lists: two numbers a corner, the first corner of each point and the end, what is seen after each
+// corner as a place in names. REQUIRES nothing of Python.
+struct VisibleLists {
+  std::vector<double> xy;
+  std::vector<std::int64_t> begin{0};
+  std::vector<std::int32_t> face;
+  std::vector<std::string> names;
+};
+VisibleLists visible_lists(const PreparedScene2& prepared, const std::vector<RoundedPolygon2>& polygons);
+
+// The same as arrays: those of the .npz file of `hottel visibility --points`.
+struct PythonVisible {
+  py::array xy, begin, face;
+  std::vector<std::string> names;
+
+  explicit PythonVisible(VisibleLists lists);
+};
+
+}  // namespace hottel::python

@@ -1,0 +1,152 @@
+"""The module gives the numbers of the program, bit for bit, and refuses what it refuses, in the same words."""
+
+import math
+
+import numpy
+import pytest
+
+import hottel
+from conftest import ROOT, SCENES, run_program, table_of
+
+QUICK = sorted(
+    path.relative_to(ROOT).as_posix()
+    for pattern in ("analytic/*.json", "degenerate/*.json", "degenerate/refused/*.json", "heat/*.json", "lights/*.json",
+                    "analytic/space/*.json", "space/cube.json", "space/two_boxes.json", "space/crate.vs3", "drawings/*",
+                    "showcase/apartment.json")
+    for path in SCENES.glob(pattern)
+)
+
+
+def same(a, b):
+    """Whether two doubles are the same bits, or both no numbers."""
+    return a == b and math.copysign(1, a) == math.copysign(1, b) or (math.isnan(a) and math.isnan(b))
+
+
+def assert_refused_alike(message, work):
+    """The program ended with this on standard error; the module ends with the same sentence."""
+    with pytest.raises(hottel.Error) as refused:
+        work()
+    assert str(refused.value).splitlines()[0] in message
+
+
+def assert_same_table(lines, names, table, columns):
+    """The lines of a csv are the rows and channels of a table, in order."""
+    values = iter(lines)
+    for row, name in enumerate(table.names):
+        for channel, channel_name in enumerate(table.channels):
+            wanted = [getattr(table, column)[row, channel] for column in columns.values()]
+            if all(math.isnan(value) for value in wanted):
+                continue  # a band without temperatures
+            line = next(values)
+            assert (names(line), line["channel"]) == (name, channel_name)
+            for column, value in zip(columns, wanted):
+                assert same(float(line[column]), value), (name, column)
+    assert next(values, None) is None
+
+
+def element_names(table):
+    """What lines of a csv call a row: an element is 0 where the face is not divided."""
+    whole = set(table.names)
+    return lambda line: line["face"] if line["face"] in whole else line["face"] + "#" + line["element"]
+
+
+@pytest.mark.parametrize("scene", QUICK)
+def test_factors_are_those_of_the_program(scene):
+    code, listed, message = run_program("factors", scene)
+    if code != 0:
+        return assert_refused_alike(message, lambda: hottel.Simulation(hottel.read_scene(scene), per="face").factors)
+    factors = hottel.Simulation(hottel.read_scene(scene), per="group" if scene.endswith(".vs3") else "face").factors
+    shares = factors.visibility
+    lines = table_of(listed)
+    assert len(lines) == factors.to_scipy().nnz
+    for line in lines:
+        place = factors.index(line["from"]), factors.index(line["to"])
+        for column, values in (("factor", factors.factors), ("lower", factors.lower), ("upper", factors.upper)):
+            assert same(float(line[column]), values[place]), (line, column)
+        assert same(float(line["visibility"] or "nan"), shares[place]), line
+        assert line["guarantee"] == factors[line["from"], line["to"]]["guarantee"]
+
+
+@pytest.mark.parametrize("scene", QUICK)
+def test_radiosities_temperatures_and_fluxes_are_those_of_the_program(scene, tmp_path):
+    code, _, message = run_program("solve", scene, "-o", tmp_path, "--no-illumination", "--no-picture")
+    if code != 0:
+        return assert_refused_alike(message, lambda: hottel.Simulation(hottel.read_scene(scene)).radiosity)
+    simulation = hottel.Simulation(hottel.read_scene(scene))
+    columns = {c: c for c in ("emission", "reflectivity", "radiosity", "lower", "upper", "irradiance", "net")}
+    table = simulation.radiosity
+    assert_same_table(table_of((tmp_path / "radiosity.csv").read_text()), element_names(table), table, columns)
+    fluxes = table_of((tmp_path / "flux.csv").read_text())
+    for per, table in (("face", simulation.flux), ("group", simulation.group_flux), ("light", simulation.light_flux)):
+        assert_same_table([line for line in fluxes if line["per"] == per], lambda line: line["name"], table,
+                          {"net": "net", "lower": "lower", "upper": "upper"})
+    table, warm = simulation.temperatures, tmp_path / "temperature.csv"
+    assert_same_table(table_of(warm.read_text()) if warm.exists() else [], element_names(table), table,
+                      {"temperature": "temperature", "lower": "lower", "upper": "upper"})
+
+
+@pytest.mark.parametrize("scene", ["scenes/analytic/strip_obstructed.json", "scenes/space/cube.json"])
+def test_elements_are_divided_as_the_program_divides_them(scene):
+    code, listed, _ = run_program("factors", scene, "--per", "element", "--elements", 2)
+    assert code == 0
+    factors = hottel.Simulation(hottel.read_scene(scene), elements=2).factors
+    lines = table_of(listed)
+    assert len(lines) == factors.to_scipy().nnz
+    for line in lines:
+        assert float(line["factor"]) == factors[line["from"], line["to"]]["factor"]
+
+
+@pytest.mark.parametrize("scene", ["scenes/analytic/strip_obstructed.json", "scenes/degenerate/kettner_a1.json"])
+def test_closed_forms_are_those_of_the_program(scene):
+    code, listed, _ = run_program("factors", scene, "--exact-form")
+    lines = table_of(listed)
+    assert code == 0 and len(lines) > 1
+    simulation = hottel.Simulation(hottel.read_scene(scene), per="face")
+    for line in lines:
+        form = simulation.exact_form(line["from"], line["to"])
+        assert (form["exchange"], form["area_from"]) == (line["exchange"], line["area"])
+
+
+def test_an_approximate_method_is_that_of_the_program():
+    scene = "scenes/analytic/strip_obstructed.json"
+    code, listed, _ = run_program("factors", scene, "--method", "gauss:4", "--elements", 8)
+    assert code == 0
+    factors = hottel.Simulation(hottel.read_scene(scene), method="gauss:4", elements=8, per="face").factors
+    for line in table_of(listed):
+        assert float(line["factor"]) == factors[line["from"], line["to"]]["factor"]
+    assert factors.guarantee == "estimated"
+    assert factors.upper[0, 0] == 1
+    with pytest.raises(hottel.UsageError, match="method 'exact'"):
+        factors.visibility
+
+
+def test_threads_change_nothing():
+    scene = hottel.read_scene("scenes/space/two_boxes.json")
+    one, all_of_them = (hottel.Simulation(scene, threads=threads) for threads in (1, None))
+    assert (one.factors.factors == all_of_them.factors.factors).all()
+    assert (one.radiosity.upper == all_of_them.radiosity.upper).all()
+
+
+def test_light_and_polygons_of_points_are_those_of_the_program(tmp_path):
+    scene, points = "scenes/showcase/apartment.json", [[0.3 + 0.7 * i, 0.2 + 0.45 * j] for i in range(12) for j in range(12)]
+    (tmp_path / "points.csv").write_text("x,y\n" + "".join(f"{x!r},{y!r}\n" for x, y in points))
+    code, _, message = run_program("visibility", scene, "--points", tmp_path / "points.csv", "--irradiance", "-o",
+                                   tmp_path / "seen.npz")
+    assert code == 0, message
+    wanted = numpy.load(tmp_path / "seen.npz")
+    simulation = hottel.Simulation(hottel.read_scene(scene), per="face")
+    seen, light = simulation.visible(points), simulation.light(points)
+    assert seen.xy.tobytes() == wanted["xy"].tobytes() and (seen.begin == wanted["begin"]).all()
+    assert [seen.names[k] for k in seen.face] == [wanted["names"][k] for k in wanted["face"]]
+    assert numpy.array_equal(light, wanted["irradiance"], equal_nan=True) and numpy.isfinite(light).any()
+
+
+def test_light_in_space_is_that_of_the_grid_of_the_program(tmp_path):
+    grid = {"origin": [0, 0, "1/4"], "u": [1, 0, 0], "v": [0, 1, 0], "cells": [4, 2]}
+    scene = hottel.read_scene("scenes/space/cube.json").replace(grid=grid)
+    (tmp_path / "scene.json").write_text(scene.to_json())
+    code, _, message = run_program("solve", tmp_path / "scene.json", "-o", tmp_path, "--no-picture")
+    assert code == 0, message
+    centres = [[(2 * i + 1) / 8, (2 * j + 1) / 4, 0.25] for j in range(2) for i in range(4)]
+    light = hottel.Simulation(scene).light(centres)
+    assert light.tobytes() == numpy.load(tmp_path / "illumination.npy").tobytes()
