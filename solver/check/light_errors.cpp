@@ -43,6 +43,7 @@ class ErrorTeller {
                 "the emission of", kOtherLight);
     if (!std::isfinite(largest(scene_.sky_emission)))
       errors_.push_back({"beyond-doubles", {}, "the emission of the sky is beyond the range of doubles", kOtherLight});
+    if (errors_.empty()) tell(below_doubles(matrix_, scene_.materials));
   }
 
   void tell_mirrors(const LightFates& fates, bool has_given_fluxes) {
@@ -71,6 +72,7 @@ class ErrorTeller {
       tell_beyond(rows_where([&](std::uint32_t i) { return !is_finite(solution, i); }), "the light of",
                   "choose another unit of light, or let more of it be absorbed");
       if (errors_.empty()) tell_power(solution);
+      if (errors_.empty()) tell(temperature_beyond_doubles(matrix_, scene_.materials, solution));
       if (errors_.empty()) tell_cold(solution);
     } catch (const RequestError& error) {
       const auto least = std::min_element(fates.of.begin(), fates.of.end(),
@@ -90,6 +92,10 @@ class ErrorTeller {
     } catch (const RequestError& error) {
       add("beyond-doubles", rows(), error.what(), "choose another unit of length or of light");
     }
+  }
+
+  void tell(const std::optional<BeyondDoubles>& beyond) {
+    if (beyond) add("beyond-doubles", {*beyond->element}, beyond->text, "choose another unit of light");
   }
 
   void tell_cold(const RadiositySolution& solution) {
@@ -144,6 +150,7 @@ class ErrorTeller {
       const Material& material = material_of(i);
       const double area = matrix_.elements()[i].area.value;
       most = std::max(most, std::abs(largest(material.emission)));
+      most = std::max(most, std::abs(to_double(material.power_above_radiosity())));
       if (!sources.direct_irradiance.empty())
         for (int c = 0; c < 3; ++c) most = std::max(most, to_double(sources.direct_irradiance[i][c].upper));
       for (const Rational& rho : material.reflectivity.value)

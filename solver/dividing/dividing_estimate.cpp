@@ -108,9 +108,9 @@ void set_pointwise(const SolvedElements& solved, std::span<const SampledElement>
     long double sum = 0;
     for (std::size_t k = 0; k < samples.size(); ++k) {
       const ElementRadiosity& element = solved.solution.channels[c].elements[samples[k].element];
-      double square = 0, share = 0;
+      long double square = 0, share = 0;  // squares of doubles are beyond the range of doubles
       for (const PartSight& part : sights[k]) {
-        const double gathered = element.emission + element.reflectivity * part.irradiance[c];
+        const long double gathered = element.emission + element.reflectivity * part.irradiance[c];
         square += part.share * (gathered - element.radiosity) * (gathered - element.radiosity);
         share += part.share;
       }

@@ -30,8 +30,10 @@ Rational power_of(double temperature) {
 
 }  // namespace
 
+// Where a quotient would have fewer digits than doubles have, 2^200 times the power is asked, exactly.
 double black_temperature(double power) {
   static const double sigma = to_double(stefan_boltzmann());
+  if (power < 0x1p-900) return std::ldexp(std::sqrt(std::sqrt(std::ldexp(power, 200) / sigma)), -50);
   return std::sqrt(std::sqrt(power / sigma));
 }
 
@@ -131,26 +133,51 @@ std::string text_without_emissivity(const Element& element, const std::vector<Ma
       element.name, quoted_name(materials[*element.material].name));
 }
 
-std::optional<ElementBelowZero> coldest_below_zero(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
-                                                   const RadiositySolution& solution) {
+namespace {
+
+// Visits sigma T⁴ of all elements whose temperature comes out, in each channel, until one visit says that it is enough.
+template <class Visit>
+void for_each_found_power(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
+                          const RadiositySolution& solution, const Visit& is_enough) {
   std::vector<Rational> above, resistance;  // by material
   for (const Material& material : materials) {
     above.push_back(material.power_above_radiosity());
     resistance.push_back(material.resistance());
   }
-  std::optional<ElementBelowZero> coldest;
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;
     const std::uint32_t m = *matrix.elements()[i].material;
-    const Material& material = materials[m];
-    if (!material.has_given_flux() && !material.is_adiabatic()) continue;
+    if (!materials[m].has_given_flux() && !materials[m].is_adiabatic()) continue;
     const ElementRadiosity* const solar = solar_of(solution, i);
-    for (std::size_t c = solar ? kThermalBand : 0; c < solution.channels.size(); ++c) {
-      const double most = black_power(above[m], solution.channels[c].elements[i], resistance[m], solar).bounds.upper;
-      if (most < 0 && (!coldest || most < coldest->power)) coldest = ElementBelowZero{i, most};
-    }
+    for (std::size_t c = solar ? kThermalBand : 0; c < solution.channels.size(); ++c)
+      if (is_enough(i, black_power(above[m], solution.channels[c].elements[i], resistance[m], solar))) return;
   }
+}
+
+}  // namespace
+
+std::optional<ElementBelowZero> coldest_below_zero(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
+                                                   const RadiositySolution& solution) {
+  std::optional<ElementBelowZero> coldest;
+  for_each_found_power(matrix, materials, solution, [&](std::uint32_t i, const BlackPower& power) {
+    const double most = power.bounds.upper;
+    if (most < 0 && (!coldest || most < coldest->power)) coldest = ElementBelowZero{i, most};
+    return false;
+  });
   return coldest;
+}
+
+std::optional<BeyondDoubles> temperature_beyond_doubles(const ExchangeMatrix& matrix,
+                                                        const std::vector<Material>& materials,
+                                                        const RadiositySolution& solution) {
+  std::optional<BeyondDoubles> beyond;
+  for_each_found_power(matrix, materials, solution, [&](std::uint32_t i, const BlackPower& power) {
+    if (std::isinf(power.value) && power.value > 0)
+      beyond =
+          BeyondDoubles{fmt::format("sigma T^4 of '{}' is beyond the range of doubles", matrix.elements()[i].name), i};
+    return beyond.has_value();
+  });
+  return beyond;
 }
 
 std::string text_of(const ElementBelowZero& cold, const ExchangeMatrix& matrix,

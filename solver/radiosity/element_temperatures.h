@@ -9,6 +9,7 @@
 #include "geometry/exchange_matrix.h"
 #include "geometry/material.h"
 #include "kernel/enclosure.h"
+#include "solver/radiosity/matrix_checks.h"
 #include "solver/radiosity/radiosity_solution.h"
 
 namespace hottel {
@@ -85,6 +86,11 @@ struct ElementBelowZero {
 // bound below 0 in some channel; nothing where there is none.
 std::optional<ElementBelowZero> coldest_below_zero(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
                                                    const RadiositySolution& solution);
+// Returns the first of the elements of given net flux, and those that are insulated, whose sigma T⁴ is too large for a
+// double in some channel; nothing where there is none.
+std::optional<BeyondDoubles> temperature_beyond_doubles(const ExchangeMatrix& matrix,
+                                                        const std::vector<Material>& materials,
+                                                        const RadiositySolution& solution);
 // What is to be said of it, without the place in the file.
 std::string text_of(const ElementBelowZero& cold, const ExchangeMatrix& matrix, const std::vector<Material>& materials);
 

@@ -1,8 +1,12 @@
 #include "solver/radiosity/matrix_checks.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <string_view>
+#include <utility>
 
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
@@ -54,8 +58,8 @@ double reciprocity_defect(const ExchangeMatrix& matrix) {
 
 std::optional<BeyondDoubles> beyond_doubles(const ExchangeMatrix& matrix, const Spectrum& sky_emission,
                                             const RadiositySolution& solution) {
-  const auto told = [](const std::string& what, std::optional<std::uint32_t> element = {}) {
-    return BeyondDoubles{what + " is beyond the range of doubles", element};
+  const auto told = [](std::string_view what, std::optional<std::uint32_t> element = {}) {
+    return BeyondDoubles{fmt::format("{} is beyond the range of doubles", what), element};
   };
   for (const Rational& emission : sky_emission.value)
     if (!std::isfinite(to_double(emission))) return told("the emission of the sky");
@@ -72,6 +76,23 @@ std::optional<BeyondDoubles> beyond_doubles(const ExchangeMatrix& matrix, const 
   const EnergyBalance& energy = solution.energy;
   if (!std::isfinite(energy.emitted) || !std::isfinite(energy.absorbed) || !std::isfinite(energy.to_sky))
     return told("the power of the light in all");
+  return std::nullopt;
+}
+
+std::optional<BeyondDoubles> below_doubles(const ExchangeMatrix& matrix, const std::vector<Material>& materials) {
+  const auto is_lost = [](const Spectrum& spectrum) {
+    return std::ranges::any_of(spectrum.value, [](const Rational& value) { return std::isnan(written_double(value)); });
+  };
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    const Material& material = materials[*matrix.elements()[i].material];
+    for (const auto& [what, spectrum] : {std::pair(material.has_given_flux() ? "flux" : "emission", &material.emission),
+                                         std::pair("reflectivity", &material.reflectivity)})
+      if (is_lost(*spectrum))
+        return BeyondDoubles{fmt::format("the {} of '{}' {}", what, matrix.elements()[i].name,
+                                         written_problem(written_double(Rounded{0, 1}))),
+                             i};
+  }
   return std::nullopt;
 }
 

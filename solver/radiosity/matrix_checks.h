@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/material.h"
@@ -32,6 +33,10 @@ struct BeyondDoubles {
 // written as a double, or an area that is too small; nothing where all can be.
 std::optional<BeyondDoubles> beyond_doubles(const ExchangeMatrix& matrix, const Spectrum& sky_emission,
                                             const RadiositySolution& solution);
+
+// Returns the first emission or reflectivity of a row that is not 0 and too small to be written as a double; nothing
+// where there is none.
+std::optional<BeyondDoubles> below_doubles(const ExchangeMatrix& matrix, const std::vector<Material>& materials);
 
 // Throws RequestError where there is any (beyond_doubles).
 void require_doubles(const ExchangeMatrix& matrix, const Spectrum& sky_emission, const RadiositySolution& solution);

@@ -52,6 +52,8 @@ RadiositySolution scene_radiosities(const RadiositySolver& system, const SceneTa
     if (const auto place = solution.seconds.find("radiosity"); place != solution.seconds.end())
       place->second += system.seconds();
     beyond = beyond_doubles(matrix, scene.sky_emission, solution);
+    if (!beyond) beyond = below_doubles(matrix, scene.materials);
+    if (!beyond) beyond = temperature_beyond_doubles(matrix, scene.materials, solution);
     if (beyond) return solution;
     if (matrix.guarantee() == Guarantee::kEnclosed) {
       notes.push_back("the bounds hold for all factors within their enclosures that sum to 1");

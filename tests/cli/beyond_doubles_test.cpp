@@ -213,6 +213,73 @@ TEST_F(BeyondDoubles, CheckForeseesWhatSolveRefuses) {
   EXPECT_EQ(place_.run("hottel solve plain.json --quiet -o out").code, 0);
 }
 
+// A face of a material and a warm one opposite, with more beside the lists.
+std::string two_faces(const std::string& material, const std::string& more = "") {
+  return R"({"hottel": 1, "dimension": 2, "materials": {"m": )" + material +
+         R"(, "w": {"emissivity": 1, "temperature": 300}},
+ "edges": [{"name": "a", "points": [[0, 0], [0, 1]], "material": "m"},
+           {"name": "c", "points": [[1, 1], [1, 0]], "material": "w"}])" +
+         more + "}\n";
+}
+
+TEST_F(BeyondDoubles, WhatIsGivenAndWouldBeWrittenAsZeroIsRefused) {
+  for (const auto& [material, what] :
+       {std::pair(R"({"emission": "1e-400"})", "emission"), std::pair(R"({"reflectivity": "1e-400"})", "reflectivity"),
+        std::pair(R"({"emissivity": 0.5, "flux": "1e-400"})", "flux")}) {
+    place_.write("given.json", two_faces(material));
+    const std::string message = std::string("the ") + what + " of 'a' is below the range of doubles";
+    expect_refused("solve given.json -o out --quiet", "given.json:2: " + message);
+    EXPECT_THAT(place_.run("hottel check given.json").out, HasSubstr("error: beyond-doubles at (0, 0.5): " + message));
+  }
+  place_.write("given.json", two_faces(R"({"emissivity": 0.5, "flux": "1e-322"})"));
+  EXPECT_EQ(place_.run("hottel solve given.json -o out --quiet --no-illumination").code, 0);
+}
+
+TEST_F(BeyondDoubles, ATemperatureThatIsIsRefused) {
+  place_.write("hot.json", two_faces(R"({"emissivity": "1e-309", "flux": 10})"));
+  const std::string message = "sigma T^4 of 'a' is beyond the range of doubles";
+  expect_refused("solve hot.json -o out --quiet", "hot.json:2: " + message);
+  EXPECT_THAT(place_.run("hottel check hot.json").out, HasSubstr("error: beyond-doubles at (0, 0.5): " + message));
+}
+
+TEST_F(BeyondDoubles, TheEstimateOfMuchLightIsANumber) {
+  place_.write("bright.json", two_faces(R"({"emission": "1e300", "reflectivity": 0.5})"));
+  const Outcome outcome = place_.run("hottel solve bright.json -o out --no-picture");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, Not(HasSubstr("inf")));
+}
+
+TEST_F(BeyondDoubles, AGridThatReachesThereIsRefusedAndALargeOneIsLit) {
+  const auto grid = [](const std::string& end) {
+    return two_faces(R"({"emission": 1})",
+                     R"(, "grid": {"min": [0, 0], "max": [")" + end + R"(", 1], "cells": [4, 4]})");
+  };
+  place_.write("grid.json", grid("1e309"));
+  EXPECT_EQ(place_.run("hottel solve grid.json -o out").err,
+            "grid.json:3: grid: it reaches beyond the range of doubles\n");
+  for (const char* end : {"1e140", "1e160", "1e300", "1.7e308"}) {
+    place_.write("grid.json", grid(end));
+    EXPECT_EQ(place_.run("hottel solve grid.json -o out --quiet --no-picture").code, 0) << end;
+  }
+}
+
+TEST_F(BeyondDoubles, ALightBesideAnEndThatIsAllButZeroLightsPoints) {
+  const auto scene = [](const std::string& end) {
+    return R"({"hottel": 1, "dimension": 2, "materials": {"m": {"emission": 1}},
+ "edges": [{"name": "a", "points": [[0, 0], [0, 1]], "material": "m", "back": "m"},
+           {"name": "c", "points": [[0, 1], [1, )" +
+           end + R"(]], "material": "m"}],
+ "lights": [{"type": "point", "name": "p", "position": [0.2, 0.2], "power": 2}]})";
+  };
+  place_.write("zero.json", scene("0"));
+  place_.write("near.json", scene("\"1e-400\""));
+  const auto light = [&](const std::string& file) {
+    const std::string text = place_.run("hottel visibility " + file + " --at 0.4,0.45").out;
+    return std::stod(text.substr(text.rfind("all") + 3));
+  };
+  EXPECT_NEAR(light("near.json"), light("zero.json"), 1e-14);
+}
+
 TEST_F(BeyondDoubles, ANumberTooLongToBeWrittenIsToldByItsSize) {
   std::string text = room("0");
   place_.write("s.json", text.replace(text.find("\"emission\": 1"), 34,

@@ -34,6 +34,12 @@ TEST(BlackTemperature, BoundsAreTheNearestDoublesThatHold) {
     EXPECT_LT(power_of(std::nextafter(t.upper, 0)), Rational(above));
     EXPECT_TRUE(t.lower <= t.value && t.value <= t.upper);
   }
+  for (const double least : {5e-324, 1e-320, 1e-316, 1e-308}) {
+    const BoundedTemperature t = black_temperature(least, {least, least});
+    EXPECT_LE(power_of(t.lower), Rational(least));
+    EXPECT_GE(power_of(t.upper), Rational(least));
+    EXPECT_LE(t.upper, std::nextafter(t.lower, kInfinity));
+  }
   const BoundedTemperature none = black_temperature(0, {0, 0});
   EXPECT_TRUE(none.lower == 0 && none.value == 0 && none.upper == 0);
   EXPECT_EQ(black_temperature(1, {0, kInfinity}).upper, kInfinity);

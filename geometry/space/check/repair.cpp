@@ -128,8 +128,12 @@ void reverse_inside_out(Repair3& repair) {
   }
 }
 
+// A face of a closed part of a mesh stays, for without it the part is open: of two such both do.
 void drop_doubles(Repair3& repair) {
   Scene3& scene = repair.scene;
+  std::vector<char> is_of_part(scene.surfaces.size(), 0);
+  for (const std::vector<std::uint32_t>& part : closed_parts(scene))
+    for (const std::uint32_t s : part) is_of_part[s] = 1;
   std::map<std::vector<Point3>, std::vector<std::uint32_t>, LoopOrder> first;
   std::vector<char> is_double(scene.surfaces.size(), 0);
   for (const Mask3& mask : scene.masks) is_double[mask.surface] = is_double[mask.base] = 2;  // never
@@ -143,14 +147,16 @@ void drop_doubles(Repair3& repair) {
     if (is_double[s] != 0) continue;
     std::vector<std::uint32_t>& same = first[loop_from_least(scene.polygons[s].points)];
     const auto before = std::find_if(same.begin(), same.end(), [&](std::uint32_t t) { return is_alike(scene, s, t); });
-    if (before == same.end()) {
+    if (before == same.end() || (is_of_part[s] != 0 && is_of_part[*before] != 0)) {
       same.push_back(s);
       continue;
     }
-    is_double[s] = 1;
-    repair.steps.push_back({"dropped", scene.surfaces[s].name,
-                            fmt::format("{} is dropped: {} is the same", quoted_name(scene.surfaces[s].name),
-                                        quoted_name(scene.surfaces[*before].name))});
+    const std::uint32_t dropped = is_of_part[s] != 0 ? *before : s, kept = is_of_part[s] != 0 ? s : *before;
+    *before = kept;
+    is_double[dropped] = 1;
+    repair.steps.push_back({"dropped", scene.surfaces[dropped].name,
+                            fmt::format("{} is dropped: {} is the same", quoted_name(scene.surfaces[dropped].name),
+                                        quoted_name(scene.surfaces[kept].name))});
   }
   keep_if(repair, [&](std::uint32_t s) { return is_double[s] != 1; });
 }

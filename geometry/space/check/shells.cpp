@@ -120,15 +120,18 @@ bool looks_into(const Solids3& solids, const Polygon3& polygon) {
   return solids.behind({&frame, frame.flat(middle(facet)), frame.is_front_up(facet.points)}).has_value();
 }
 
-// Whether something of the scene that is none of these surfaces is in a solid.
-bool holds_anything(const Scene3& scene, const Solids3& solids, const Surfaces& surfaces) {
+// Whether something of the scene that is none of these surfaces is in a solid. What `is_of_part` is a face of another
+// closed part: where that lies on the border and looks into the solid, its part is outside.
+bool holds_anything(const Scene3& scene, const Solids3& solids, const Surfaces& surfaces,
+                    const std::vector<char>& is_of_part) {
   const auto is_in = [&](const Point3& point) { return solids.around(point).has_value(); };
   const Corners box(scene, surfaces);
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     if (std::binary_search(surfaces.begin(), surfaces.end(), s)) continue;
     const std::vector<Point3> corners = corners_of(scene.polygons[s]);
     if (is_in(middle(scene.polygons[s])) || std::any_of(corners.begin(), corners.end(), is_in) ||
-        (std::all_of(corners.begin(), corners.end(), [&](const Point3& p) { return box.hold(p); }) &&
+        (is_of_part[s] == 0 &&
+         std::all_of(corners.begin(), corners.end(), [&](const Point3& p) { return box.hold(p); }) &&
          looks_into(solids, scene.polygons[s])))
       return true;
   }
@@ -179,10 +182,15 @@ std::string remedy(const Scene3& scene, const Shell3& shell) {
 
 }  // namespace
 
+std::vector<Surfaces> closed_parts(const Scene3& scene) {
+  return may_have_parts(scene) ? Parts(scene).closed() : std::vector<Surfaces>{};
+}
+
 std::vector<Shell3> inside_out_shells(const Scene3& scene) {
-  if (!may_have_parts(scene)) return {};
   std::vector<Surfaces> inward, outward;
-  for (Surfaces& surfaces : Parts(scene).closed()) {
+  std::vector<char> is_of_part(scene.surfaces.size(), 0);
+  for (Surfaces& surfaces : closed_parts(scene)) {
+    for (const std::uint32_t s : surfaces) is_of_part[s] = 1;
     const Rational side = volume(scene, surfaces);
     if (side != 0) (side < 0 ? inward : outward).push_back(std::move(surfaces));
   }
@@ -196,7 +204,7 @@ std::vector<Shell3> inside_out_shells(const Scene3& scene) {
     });
     if (is_hollow) continue;
     const Solids3 solid = as_solid(scene, surfaces, true);
-    if (solid.is_empty() || holds_anything(scene, solid, surfaces)) continue;
+    if (solid.is_empty() || holds_anything(scene, solid, surfaces, is_of_part)) continue;
     const bool may_be_body = !scene.closed && (has_others || !scene.sky_emission.is_zero());
     shells.push_back({scene.surfaces[surfaces.front()].group, surfaces, may_be_body});
   }

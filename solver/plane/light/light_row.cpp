@@ -34,8 +34,8 @@ const std::array<double, kRays + 1> kAngleOfRay = [] {
 }();
 
 // The angle in [0, pi] of (x, y), where y >= 0, as that of the nearest of some rays and a small one
-// from there: good to four units of the last place of pi. 0 where both are 0, or one is infinite or no number: the eye
-// is too far away then for a double to tell. No branch but one: which way they went would be by chance.
+// from there: good to four units of the last place of pi. 0 where both are 0, or one is infinite or no number. No
+// branch but one: which way they went would be by chance.
 double angle_up_to_half_turn(double y, double x) {
   static constexpr std::array<double, 4> kAxis{0, pi / 2, pi, pi / 2}, kSense{1, -1, -1, 1};
   const double width = std::fabs(x), along = std::max(width, y), beside = std::min(width, y);
@@ -59,12 +59,13 @@ class LightRowFinder2::Panorama {
   const View2::Seen& operator[](std::size_t k) const { return seen_[k]; }
   Code code(PieceSideId side) const { return columns_.of(side); }
   Code behind(std::size_t k) const { return columns_.of(seen_[k].behind); }
-  // Of any length; so that products do not overflow, one beyond 2^500 is shortened.
   Direction direction(std::size_t k) const {
     const auto& p = vertices_.approximate(seen_[k].vertex);
-    const Direction direction{p.x - eye_.x(), p.y - eye_.y()};
-    if (std::max(std::fabs(direction.x), std::fabs(direction.y)) < 0x1p500) return direction;
-    return {direction.x * 0x1p-600, direction.y * 0x1p-600};
+    const Direction way{p.x - eye_.x(), p.y - eye_.y()};
+    const double size = std::max(std::fabs(way.x), std::fabs(way.y));
+    if (size > kLeastLength && size < kMostLength) return way;
+    return std::isfinite(size) ? of_moderate_length(way)
+                               : of_moderate_length({p.x / 2 - eye_.x() / 2, p.y / 2 - eye_.y() / 2});
   }
 
   // Only the sky is seen under half a turn or more.
@@ -85,6 +86,17 @@ class LightRowFinder2::Panorama {
   static double dot(const Direction& a, const Direction& b) { return a.x * b.x + a.y * b.y; }
 
  private:
+  // Of ways between these, products of two are told by doubles.
+  static constexpr double kLeastLength = 0x1p-450, kMostLength = 0x1p450;
+
+  // The way times a power of two; 0 where it is that.
+  static Direction of_moderate_length(const Direction& way) {
+    const double size = std::max(std::fabs(way.x), std::fabs(way.y));
+    if (!(size > 0)) return way;
+    const int exponent = std::ilogb(size);
+    return {std::scalbn(way.x, -exponent), std::scalbn(way.y, -exponent)};
+  }
+
   const Vertices2& vertices_;
   const LightColumns2& columns_;
   const Eye2& eye_;

@@ -77,12 +77,21 @@ double LitRegion2::irradiance(const Eye2& point) const {
 double LitRegion2::irradiance(const Eye2& point, double way_x, double way_y) const {
   if (way_x == 0 && way_y == 0 && point.exact() == eye_.exact())
     return is_in_solid_ ? 0 : std::numeric_limits<double>::infinity();
+  double scale = scale_;
+  if (!std::isfinite(way_x) || !std::isfinite(way_y) || !std::isnormal(scale)) {
+    // Doubles cannot tell it in the unit of integer form.
+    const Rational& unit = prepared_.arrangement.vertices().scale();
+    const Point2 from = eye_.exact(), to = point.exact();
+    way_x = to_double(unit * (to.x - from.x));
+    way_y = to_double(unit * (to.y - from.y));
+    scale = 1;
+  }
   const double intensity = beam_.intensity(way_x, way_y, [&] {
     const Point2 from = eye_.exact(), to = point.exact();
     return Point2{to.x - from.x, to.y - from.y};
   });
   if (intensity == 0 || !reaches(point)) return 0;
-  return intensity / (std::numbers::pi * scale_ * std::hypot(way_x, way_y));
+  return intensity / (std::numbers::pi * scale * std::hypot(way_x, way_y));
 }
 
 LitRegions2::LitRegions2(const PreparedScene2& prepared) {

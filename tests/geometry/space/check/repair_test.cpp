@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "geometry/space/check/shells.h"
 #include "geometry/space/contacts/near_contacts.h"
 #include "geometry/space/scene/polygon_places.h"
 #include "tests/geometry/space/check/small_scene.h"
@@ -12,12 +13,16 @@
 namespace hottel::repair_test {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
 using testing_space::add;
 using testing_space::add_box;
 using testing_space::empty_scene;
 using testing_space::q;
+using testing_space::told;
 using testing_space::unit_room;
 
 const Rational kGap = Rational(1) / 1000000;
@@ -141,6 +146,43 @@ TEST(Repair3, PolygonsUpsideDownAreReversed) {
   reverse_upside_down(repair);
   EXPECT_THAT(steps(repair), ElementsAre("reversed front"));
   EXPECT_EQ(repair.scene.polygons[2], before);
+}
+
+// A box inside out beside another one, face to face: what is one polygon twice is so only because of that.
+TEST(Repair3, NoFaceOfAClosedPartIsDropped) {
+  Scene3 scene = empty_scene();
+  scene.sky_emission = Spectrum::scalar(1);
+  add_box(scene, "turned", {0, 0, 0}, {1, 1, 1}, true);
+  add_box(scene, "beside", {1, 0, 0}, {2, 1, 1}, false);
+  EXPECT_THAT(told(scene,
+                   [&] {
+                     Findings3 findings;
+                     tell_inside_out(scene, inside_out_shells(scene), findings);
+                     return findings;
+                   }()),
+              Contains(StartsWith("warning inside-out")));
+  Repair3 repair = unrepaired(scene);
+  drop_doubles(repair);
+  EXPECT_THAT(repair.steps, IsEmpty());
+  reverse_inside_out(repair);
+  EXPECT_EQ(steps(repair).size(), 1u);
+  EXPECT_THAT(closed_parts(repair.scene), SizeIs(2));
+  EXPECT_THAT(inside_out_shells(repair.scene), IsEmpty());
+}
+
+TEST(Repair3, OfASheetAndTheFaceOfABoxThatIsTheSameTheSheetIsDropped) {
+  for (const bool is_sheet_first : {true, false}) {
+    Scene3 scene = empty_scene();
+    const auto add_sheet = [&] { add(scene, "sheet", {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}); };
+    if (is_sheet_first) add_sheet();
+    add_box(scene, "box", {0, 0, 0}, {1, 1, 1}, false);
+    if (!is_sheet_first) add_sheet();
+    for (Surface& surface : scene.surfaces) surface.material = 0;
+    Repair3 repair = unrepaired(scene);
+    drop_doubles(repair);
+    EXPECT_THAT(steps(repair), ElementsAre("dropped sheet"));
+    EXPECT_THAT(closed_parts(repair.scene), SizeIs(1));
+  }
 }
 
 }  // namespace
