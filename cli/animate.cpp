@@ -16,6 +16,7 @@
 #include "cli/scene_input.h"
 #include "cli/solve_options.h"
 #include "cli/store_option.h"
+#include "cli/unit_notes.h"
 #include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/scene/moving_lights.h"
 #include "geometry/space/exchange/element_table.h"
@@ -309,6 +310,7 @@ void animate_scene(const AnimateOptions& options, AnyScene scene, Streams& strea
 ExitCode animate(const AnimateOptions& options, Streams& streams) {
   options.levels.require_sense();
   Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  require_light_in_watts(scene);
   if (auto* space = std::get_if<Scene3>(&scene))
     animate_scene<Space>(options, std::move(*space), streams);
   else

@@ -9,6 +9,7 @@
 #include "cli/memory/give_back.h"
 #include "cli/methods.h"
 #include "cli/script_f.h"
+#include "cli/unit_notes.h"
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/exchange/element_pieces.h"
 #include "geometry/plane/exchange/exchange.h"
@@ -203,6 +204,12 @@ void take_emit(FactorsOptions& options, const Streams& streams) {
                                : "emit=1 asks for script-F; view factors are written: " + instead + " is of these");
 }
 
+bool tells_areas(const FactorsOptions& options) {
+  if (options.wants_exact_form) return false;
+  if (!options.matrix.empty()) return options.matrix == "exchange";
+  return options.areas || options.format() != FactorsFormat::kCsv;
+}
+
 ExitCode factors(FactorsOptions options, Streams& streams) {
   if (options.memory > 0) give_memory_back_soon();
   take_exact_form(options);
@@ -217,6 +224,7 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   options.format();
   if (is_vs3(options.scene) && options.per_option->count() == 0 && combines(std::get<Scene3>(scene)))
     options.granularity = "group";
+  if (tells_areas(options)) note_unknown_unit(scene, streams);
   if (auto* const in_space = std::get_if<Scene3>(&scene))
     factors_in_space(options, std::move(*in_space), streams);
   else
@@ -295,7 +303,7 @@ void add_factors(Commands& commands) {
           ->check(CLI::IsMember({"visible", "facing"}))
           ->capture_default_str();
   command.add_flag("--areas", options->areas,
-                   "the list of pairs has the area of each face too, in two columns at its end");
+                   "the list of pairs has the area of each face too [m², in the plane m], in two columns at its end");
   command
       .add_option("--rows", options->rows,
                   "list these rows alone, and compute no others where that saves work: fronts (no backs), or a face, a "

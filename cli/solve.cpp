@@ -9,6 +9,7 @@
 #include "cli/room_for_elements.h"
 #include "cli/solve_in_space.h"
 #include "cli/solve_options.h"
+#include "cli/unit_notes.h"
 #include "cli/views.h"
 #include "io/files/output_file.h"
 #include "io/foreign/plane/foreign_matrix.h"
@@ -290,7 +291,7 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
                            simulation.scene().unit,
                            options.store.report(simulation.request().store),
                            results.dividing.get(),
-                           finding_notes(*results.lost_light)};
+                           with_unit_note(simulation.scene(), finding_notes(*results.lost_light))};
   outputs.json.write(solve_json(report));
   // All files are whole before the first one takes its name.
   const std::vector<OutputFile*> files = outputs.all();
@@ -308,6 +309,8 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   Stopwatch watch;
   Scene scene = read_scene_noting(options.scene, options.polygons, streams);
   const double seconds_to_read = watch.lap();
+  require_light_in_watts(scene);
+  note_unknown_unit(scene, streams);
   if (auto* space = std::get_if<Scene3>(&scene))
     solve_in_space(options, std::move(*space), seconds_to_read, streams);
   else

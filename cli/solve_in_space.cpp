@@ -13,6 +13,7 @@
 
 #include "cli/machine_speed.h"
 #include "cli/room_for_elements.h"
+#include "cli/unit_notes.h"
 #include "io/files/output_file.h"
 #include "io/foreign/space/foreign_matrix.h"
 #include "io/results/npy.h"
@@ -240,7 +241,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
       .unit = simulation.scene().unit,
       .store = options.store.report(request.factors.store),
       .dividing = dividing.get(),
-      .warnings = finding_notes(lost_light)};
+      .warnings = with_unit_note(simulation.scene(), finding_notes(lost_light))};
   json.write(solve_json(report));
   // All files are whole before the first one takes its name.
   std::vector<OutputFile*> files{&csv, &flux, &vtu};

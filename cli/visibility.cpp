@@ -9,6 +9,7 @@
 #include "cli/oriented_points.h"
 #include "cli/scene_input.h"
 #include "cli/scene_lines.h"
+#include "cli/unit_notes.h"
 #include "cli/visibility_in_space.h"
 #include "geometry/plane/check/face_cover.h"
 #include "geometry/plane/exchange/closed_forms.h"
@@ -87,7 +88,8 @@ std::optional<Face> face_or_sky(const Scene2& scene, const std::string& name) {
 }
 
 ShownAnswer between_faces(const PreparedScene2& prepared, const std::string& from, const std::string& to) {
-  PairSight2 sight{from, to, face_or_sky(prepared.scene, from), face_or_sky(prepared.scene, to), {}, {}};
+  PairSight2 sight{
+      from, to, face_or_sky(prepared.scene, from), face_or_sky(prepared.scene, to), {}, {}, prepared.scene.unit};
   for (const auto& face : {sight.face_from, sight.face_to})
     if (face) require_free(prepared, *face);
   sight.pair = exact_pair(prepared, sight.face_from, sight.face_to);
@@ -336,6 +338,7 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
   const auto format = is_drawn ? picture_format(options.out) : std::nullopt;
   if (is_drawn && !format) throw UsageError("a drawing is written as .png, .svg or .pdf, not '" + options.out + "'");
   Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  if (options.is_pair()) note_unknown_unit(scene, streams);
   if (Scene3* const there = std::get_if<Scene3>(&scene)) return in_space(options, std::move(*there), format, streams);
   const std::optional<Point2> eye =
       options.is_pair() || !options.on.empty() ? std::nullopt : std::optional(point(options.at));

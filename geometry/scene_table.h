@@ -106,7 +106,7 @@ struct Expectation {
 //
 //   (1) names are not empty, unique after expansion, none is "sky"; see docs/scene_format.md
 //   (2) every material, group and base index is valid; an obstruction has no material, on either side, and is no patch
-//   (3) the unit is a name and nothing more: no number is converted (unit_problem)
+//   (3) the unit is a name (unit_problem): coordinates are as typed; unit_of_length.h says what it is in metres
 //   (4) bases name surfaces or groups, and no patch lies on itself, by way of others neither (validate_bases)
 struct SceneTable {
   std::string file;                  // for messages; may be a description when the scene was not read from a file
@@ -120,7 +120,7 @@ struct SceneTable {
   Spectrum sky_emission;
   bool closed = false;
   std::vector<Expectation> expect;
-  std::string unit;  // what one unit of length is called where lengths are shown; empty: m
+  std::string unit;  // what coordinates are in, by its name; empty: m
   // Two bands, solar and thermal, instead of one channel or r, g, b: of all materials, lights and the sky.
   bool has_bands = false;
 

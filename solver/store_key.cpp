@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "geometry/unit_of_length.h"
 #include "kernel/version.h"
 
 namespace hottel {
@@ -32,6 +33,11 @@ void StoreKey::add_table(const SceneTable& scene) {
     add(group.name);
     add_count(static_cast<std::uint64_t>(group.behind));
     if (!group.body.empty()) add(group.body);
+  }
+  // Kept numbers are told by areas, and measures are areas. Scenes in metres have the keys that they had.
+  if (const Rational metres = metres_per_unit(scene); metres != 1) {
+    add("unit");
+    add_number(metres);
   }
   // Only what says "on" changes keys: what was kept of other scenes is taken.
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {

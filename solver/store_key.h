@@ -26,8 +26,9 @@ class StoreKey {
   void add_bits(double number);
   // The elements of rows and columns, for methods that look at all of them.
   void add_elements(const std::vector<std::string>& ids);
-  // What of a table decides whose a place is: names, groups and what is behind them, what patches lie on, and which
-  // faces have a material; not which. Which surfaces are divided is none of it: ids of elements say so.
+  // What of a table decides whose a place is, and what areas are in: the unit where it is not the metre, names, groups
+  // and what is behind them, what patches lie on, and which faces have a material; not which. Which surfaces are
+  // divided is none of it: ids of elements say so.
   void add_table(const SceneTable& scene);
   // How many parts each surface is divided into.
   void add_division(const SceneTable& scene);

@@ -4,6 +4,7 @@
 
 #include "geometry/face.h"
 #include "geometry/scene_names.h"
+#include "geometry/unit_of_length.h"
 #include "io/results/csv_field.h"
 #include "io/results/short_digits.h"
 #include "kernel/support/failure.h"
@@ -35,22 +36,26 @@ void write_radiosity_csv(const SceneTable& scene, const ExchangeMatrix& matrix, 
 
 namespace {
 
-void write_fluxes(const char* per, const std::vector<NetFlux>& fluxes, const std::vector<std::string>& channel_names,
-                  std::optional<int> digits, const std::function<void(std::string_view)>& sink) {
-  for (const NetFlux& flux : fluxes)
-    for (std::size_t c = 0; c < channel_names.size(); ++c) {
-      const NetFlux::Power& power = flux.by_channel[c];
-      sink(fmt::format("{},{},{},{},{},{},{}\n", per, csv_field(flux.name), channel_names[c],
-                       flux.area ? short_digits(*flux.area, digits) : "", short_digits(power.value, digits),
-                       short_digits(power.lower, digits, RoundedTo::kBelow),
-                       short_digits(power.upper, digits, RoundedTo::kAbove)));
-    }
+// The three columns of a power.
+std::string power_text(const NetFlux::Power& power, std::optional<int> digits) {
+  return short_digits(power.value, digits) + "," + short_digits(power.lower, digits, RoundedTo::kBelow) + "," +
+         short_digits(power.upper, digits, RoundedTo::kAbove);
+}
+
+void write_fluxes(const char* per, const std::vector<NetFlux>& some, const NetFluxes& all, std::optional<int> digits,
+                  const std::function<void(std::string_view)>& sink) {
+  for (const NetFlux& flux : some)
+    for (std::size_t c = 0; c < all.channel_names.size(); ++c)
+      sink(fmt::format("{},{},{},{},{}\n", per, csv_field(flux.name), all.channel_names[c],
+                       flux.area ? short_digits(*flux.area, digits) : "",
+                       all.are_in_watts ? power_text(flux.by_channel[c], digits) : ",,"));
 }
 
 }  // namespace
 
 NetFluxes::NetFluxes(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,
-                     std::span<const LightShares> shares) {
+                     std::span<const LightShares> shares)
+    : are_in_watts(has_known_unit(scene)) {
   const ShiningLights shining{scene.lights, shares};
   faces = net_flux(
       matrix, solution, scene.sky_emission,
@@ -78,9 +83,9 @@ NetFluxes::NetFluxes(const SceneTable& scene, const ExchangeMatrix& matrix, cons
 void write_flux_csv(const NetFluxes& fluxes, const std::function<void(std::string_view)>& sink,
                     std::optional<int> digits) {
   sink("per,name,channel,area,net,lower,upper\n");
-  write_fluxes("face", fluxes.faces, fluxes.channel_names, digits, sink);
-  write_fluxes("group", fluxes.groups, fluxes.channel_names, digits, sink);
-  write_fluxes("light", fluxes.lights, fluxes.channel_names, digits, sink);
+  write_fluxes("face", fluxes.faces, fluxes, digits, sink);
+  write_fluxes("group", fluxes.groups, fluxes, digits, sink);
+  write_fluxes("light", fluxes.lights, fluxes, digits, sink);
 }
 
 }  // namespace hottel

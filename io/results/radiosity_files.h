@@ -37,6 +37,9 @@ struct NetFluxes {
   // Whether a sun shines: in two bands by band, else the first alone. What of it passes by has no number.
   std::array<bool, 2> has_sun{};
 
+  // False where nobody knows the unit of length, so that nothing can be told in W: columns of W are empty then.
+  bool are_in_watts = true;
+
   // REQUIRES the solution of this matrix, of this scene, and the shares of its lights. COST: two passes over the matrix
   // a channel.
   NetFluxes(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,

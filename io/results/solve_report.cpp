@@ -152,12 +152,17 @@ namespace {
 
 // Of all channels together; of two bands one object each, by their names.
 // What of a sun passes by is infinite, and has no number: null.
-nlohmann::ordered_json energy_json(const RadiositySolution& solution, const std::array<bool, 2>& has_sun) {
-  const auto object = [](const EnergyBalance& energy, bool is_lit_by_sun) {
-    nlohmann::ordered_json json{{"emitted", energy.emitted},
-                                {"absorbed", energy.absorbed},
-                                {"to_sky", energy.to_sky},
-                                {"defect", energy.defect}};
+// Nor has anything where nobody knows the unit of length.
+nlohmann::ordered_json energy_json(const RadiositySolution& solution, const std::array<bool, 2>& has_sun,
+                                   bool is_in_watts) {
+  const auto object = [is_in_watts](const EnergyBalance& energy, bool is_lit_by_sun) {
+    const auto told = [is_in_watts](double power) {
+      return is_in_watts ? nlohmann::ordered_json(power) : nlohmann::ordered_json();
+    };
+    nlohmann::ordered_json json{{"emitted", told(energy.emitted)},
+                                {"absorbed", told(energy.absorbed)},
+                                {"to_sky", told(energy.to_sky)},
+                                {"defect", told(energy.defect)}};
     if (is_lit_by_sun) json["passed"] = nullptr;
     return json;
   };
@@ -196,7 +201,7 @@ std::string solve_json(const SolveReport& report) {
   json["closure"] = {{"max_defect", solution.closure_defect}, {"exact", factors.closure_is_exact}};
   if (factors.sky) json["sky"] = nlohmann::ordered_json::parse(sky_json(*factors.sky));
   json["reciprocity"] = {{"max_defect", solution.reciprocity_defect}};
-  json["energy"] = energy_json(solution, report.fluxes ? report.fluxes->has_sun : std::array<bool, 2>{});
+  json["energy"] = energy_json(solution, report.fluxes->has_sun, report.fluxes->are_in_watts);
   json["bounds"] = {{"of", "these elements"},
                     {"max_relative_width", solution.max_relative_width},
                     {"guarantee", to_string(solution.guarantee)}};
@@ -254,6 +259,17 @@ std::string flux_text(const NetFluxes& fluxes) {
   return text + "\n";
 }
 
+std::string energies_text(const RadiositySolution& solution, const NetFluxes& fluxes) {
+  if (solution.channels.size() != 2)
+    return energy_text(solution.channels.size() > 1 ? " in r, g and b together" : "", solution.energy,
+                       fluxes.has_sun[0]);
+  std::string text;
+  for (std::size_t c = 0; c < 2; ++c)
+    text +=
+        energy_text(" in the " + solution.channel_names[c] + " band", solution.channels[c].energy, fluxes.has_sun[c]);
+  return text;
+}
+
 // What faces come to: "insulated: 'wall' 287.312 K, 'roof' 265.1 to 271.88 K".
 std::string found_text(const char* what, const std::vector<FoundTemperatures>& groups) {
   if (groups.empty()) return "";
@@ -309,15 +325,8 @@ std::string solve_text(const SolveReport& report) {
                             solution.max_relative_width);
   if (factors.sky) text += sky_text(*factors.sky) + "\n";
   if (report.dividing) text += dividing_text(*report.dividing);
-  if (solution.channels.size() == 2)
-    for (std::size_t c = 0; c < 2; ++c)
-      text += energy_text(" in the " + solution.channel_names[c] + " band", solution.channels[c].energy,
-                          report.fluxes->has_sun[c]);
-  else
-    text += energy_text(solution.channels.size() > 1 ? " in r, g and b together" : "", solution.energy,
-                        report.fluxes->has_sun[0]);
-  text += flux_text(*report.fluxes) + found_text("insulated:", report.insulated) +
-          found_text("given flux:", report.given_flux);
+  if (report.fluxes->are_in_watts) text += energies_text(solution, *report.fluxes) + flux_text(*report.fluxes);
+  text += found_text("insulated:", report.insulated) + found_text("given flux:", report.given_flux);
   if (report.illumination_max_error)
     text += fmt::format("illumination: averages over cells, each within {:.1e} for these radiosities\n",
                         *report.illumination_max_error);

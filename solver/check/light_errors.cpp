@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/scene_names.h"
+#include "geometry/unit_of_length.h"
 #include "kernel/support/failure.h"
 #include "solver/radiosity/element_temperatures.h"
 #include "solver/radiosity/matrix_checks.h"
@@ -166,6 +167,11 @@ class ErrorTeller {
 };
 
 }  // namespace
+
+LightError refused_light(const SceneTable& scene, std::string message) {
+  if (untold_lamp(scene).empty()) return {"beyond-doubles", {}, std::move(message), kOtherLight};
+  return {"unknown-unit", {}, std::move(message), fmt::format("give lengths in {}", kKnownUnits)};
+}
 
 std::vector<LightError> size_errors(const SceneTable& scene, const ExchangeMatrix& matrix, const char* size) {
   ErrorTeller teller(scene, matrix);

@@ -14,10 +14,14 @@ namespace hottel {
 
 // An error that a check tells; where it is, is a matter of the dimension.
 struct LightError {
-  std::string kind;                     // no-solution or beyond-doubles
+  std::string kind;                     // no-solution, beyond-doubles or unknown-unit
   std::vector<std::uint32_t> surfaces;  // ascending; none for the whole scene
   std::string message, suggestion;
 };
+
+// Returns what is told of lights that sources_of() refuses with a message: unknown-unit where lamps cannot be told in
+// W/m² (untold_lamp), else beyond-doubles.
+LightError refused_light(const SceneTable& scene, std::string message);
 
 // Returns beyond-doubles for areas and emissions of rows that doubles do not hold, and for the emission of the sky.
 // `size` is what messages call an area: "length" in the plane. Entries of the matrix do not matter.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/name.h"
+#include "geometry/unit_of_length.h"
 #include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
 #include "solver/radiosity/printed_number.h"
@@ -112,6 +113,7 @@ void add_lights(const ExchangeMatrix& matrix, std::span<const Light> lights, std
 
 RadiositySources sources_of(const ExchangeMatrix& matrix, const SceneTable& scene,
                             std::span<const LightShares> lights) {
+  require_told_lamps(scene);
   RadiositySources sources = sources_of(matrix, scene.materials, scene.sky_emission);
   add_lights(matrix, scene.lights, lights, sources);
   return sources;

@@ -24,7 +24,7 @@ namespace hottel {
 //       them
 //   (4) of a sun they are areas: of what it lights of each element, as its rays see it, so that irradiance times share
 //       is what arrives there. They sum to `whole`; what passes by, to the sky, has no number, and its share is 0
-//       [scene unit squared; in the plane scene unit]
+//       [m²; in the plane m]
 struct LightShares {
   std::vector<Enclosure> of_element;  // by element
   Enclosure sky{0, 0};

@@ -7,6 +7,7 @@
 #include "geometry/face.h"
 #include "geometry/plane/scene/division.h"
 #include "geometry/scene_names.h"
+#include "geometry/unit_of_length.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -27,7 +28,8 @@ std::vector<std::uint32_t> leaf_of_parts(const SurfaceCuts2& cuts, std::uint32_t
 }  // namespace
 
 ElementTable2::ElementTable2(const Scene2& scene, const Arrangement2& arrangement, const Division2& division,
-                             Granularity granularity) {
+                             Granularity granularity)
+    : metres_(metres_per_unit(scene)) {
   // First label of each front and back.
   std::vector<std::uint32_t> first[2];
   first[0].resize(scene.surfaces.size());
@@ -88,6 +90,7 @@ ElementTable2 ElementTable2::restricted_to(std::uint32_t i, std::uint32_t j, con
                                            const Arrangement2& arrangement_of_pieces) const {
   ElementTable2 result;
   result.are_straight_ = are_straight_;
+  result.metres_ = metres_;
   result.elements_.push_back(elements_[i]);
   if (j != i) result.elements_.push_back(elements_[j]);
   result.of_side_.push_back(result.sky());
@@ -119,13 +122,13 @@ void ElementTable2::measure(const Arrangement2& arrangement) {
   }
   find_runs(arrangement);
 
-  const FixedScale unit(vertices.fixed_unit() * vertices.scale());
+  const Rational scale = vertices.scale() * metres_;
+  const FixedScale unit(vertices.fixed_unit() * scale);
   for (std::uint32_t label = 0; label < count(); ++label)
     if (const auto quick = round_scaled(length_[label], unit))
       elements_[label].area = quick->number;
     else
-      elements_[label].area =
-          round_quotient(exact_length(label, vertices) * vertices.scale(), RootSum(Rational(1))).number;
+      elements_[label].area = round_quotient(exact_length(label, vertices) * scale, RootSum(Rational(1))).number;
   labels_.assign(elements_.size() + 2, {VertexId::none(), VertexId::none(), false});
   for (std::uint32_t label = 0; label < count(); ++label) {
     labels_[label].has_row = elements_[label].material.has_value() && !runs(label).empty();

@@ -19,6 +19,7 @@ namespace hottel {
 //       solid do not count, and an element that owns nothing has length 0 and no row
 //   (3) Granularity::kGroup: all fronts of a group are one element and all its backs another; elements of one surface
 //       are never in two
+//   (4) Element::area is the length in metres, correctly rounded, where the unit of the scene is known; else in that
 //
 // COST: linear in the sides of pieces.
 class ElementTable2 {
@@ -71,6 +72,7 @@ class ElementTable2 {
   std::vector<Element> elements_;
   std::vector<std::uint32_t> of_side_;  // by place_after_sky
   bool are_straight_ = true;
+  Rational metres_ = 1;  // of a scene unit
   std::vector<Segment2> runs_;
   std::vector<std::size_t> runs_begin_;
   // What a sweep asks at every term. Ends are none where the element is not one run.

@@ -1,14 +1,24 @@
 #include "geometry/plane/exchange/pair_rounding.h"
 
+#include "geometry/unit_of_length.h"
 #include "geometry/visibility_quotient.h"
 
 namespace hottel {
+namespace {
+
+// Half a unit of integer form, in metres.
+Rational half_unit_in_metres(const PreparedScene2& prepared) {
+  return prepared.arrangement.vertices().scale() * metres_per_unit(prepared.scene) / 2;
+}
+
+}  // namespace
+
 PairRounding2::PairRounding2(const PreparedScene2& prepared, const ElementTable2& table, const ExchangeRequest& request)
     : prepared_(prepared),
       table_(table),
       request_(request),
       alone_(prepared, table, request.granularity),
-      half_unit_(prepared.arrangement.vertices().fixed_unit() * prepared.arrangement.vertices().scale() / 2) {
+      half_unit_(prepared.arrangement.vertices().fixed_unit() * half_unit_in_metres(prepared)) {
   for (std::uint32_t label = 0; label < table.count(); ++label) {
     const FixedSum& length = table.length(label);
     double_length_.push_back(table.has_row(label) ? FixedDivisor({2 * length.value, 2 * length.error})
@@ -68,7 +78,7 @@ void PairRounding2::exactly(const PairSum2& pair, const RootSum& sum, RoundedPai
   if (result.is_forth_open) result.forth = settle(pair.i());
   if (result.is_back_open) result.back = settle(pair.j());
   if (result.is_measure_open)
-    result.measure = round_quotient(sum * (vertices.scale() / 2), RootSum(Rational(1))).number.value;
+    result.measure = round_quotient(sum * half_unit_in_metres(prepared_), RootSum(Rational(1))).number.value;
   if (!result.is_visibility_open) return;
   const RootSum free = alone_.exact(pair.i(), pair.j()) * (Rational(2) / vertices.scale());
   if ((free - sum).is_zero()) {

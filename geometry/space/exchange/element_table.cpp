@@ -14,6 +14,7 @@
 #include "geometry/space/exchange/prepared_scene.h"
 #include "geometry/space/scene/division.h"
 #include "geometry/space/scene/plane_frame.h"
+#include "geometry/unit_of_length.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -172,7 +173,7 @@ ElementTable3::ElementTable3(const Scene3& scene, const Arrangement3& arrangemen
     while (begin_.size() <= part.label) begin_.push_back(static_cast<std::size_t>(&part - parts_.data()));
   }
   begin_.resize(std::size_t{sky()} + 2, parts_.size());
-  measure(blockers, add_contacts(scene, blockers.vertices()));
+  measure(blockers, add_contacts(scene, blockers.vertices()), square_metres_per_unit(scene));
 }
 
 bool ElementTable3::has_contact(std::uint32_t label) const {
@@ -287,9 +288,10 @@ std::vector<ElementTable3::Share> ElementTable3::add_contacts(const Scene3& scen
   return shares;
 }
 
-void ElementTable3::measure(const Blockers3& blockers, const std::vector<Share>& of_contacts) {
+void ElementTable3::measure(const Blockers3& blockers, const std::vector<Share>& of_contacts,
+                            const Rational& square_metres) {
   const Vertices3& vertices = blockers.vertices();
-  const Rational of_scene = vertices.scale() * vertices.scale();
+  const Rational told = vertices.scale() * vertices.scale() * square_metres;
   const Rational of_doubles = scaled_by_power_of_two(1, -2 * vertices.shift());
   std::multimap<std::uint32_t, Share> touched;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
@@ -319,7 +321,7 @@ void ElementTable3::measure(const Blockers3& blockers, const std::vector<Share>&
       extents_.push_back(extents_.back());
       continue;
     }
-    elements_[label].area = area.rounded(of_scene);
+    elements_[label].area = area.rounded(told);
     extents_.push_back(area.rounded(of_doubles));
     before = std::move(area);
   }

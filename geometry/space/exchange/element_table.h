@@ -39,7 +39,8 @@ ElementCounts3 element_counts(const Scene3& scene, Granularity granularity);
 //       others of one for each piece of the arrangement (FacePatches3), a group of those of its members; the sky is
 //       one, all of it. Patches are in the order of their elements; corners of backs run the other way round, from the
 //       same first one
-//   (4) areas are of what is not covered, correctly rounded; extent() encloses them in the unit of PairMeasurer3. An
+//   (4) areas are of what is not covered, correctly rounded, in m² where the unit of the scene is known, else in its
+//       squares; extent() encloses them in the unit of PairMeasurer3. An
 //       element that other faces or solids leave nothing of has no patch, the area 0 and no row
 //   (5) where a mask lies on its base, elements of both see each other across no distance: contacts(). They have no
 //       patch there, but the area
@@ -107,7 +108,7 @@ class ElementTable3 {
   // Returns the area of each contact as an AreaSum3 takes it: a multiple of a length that is given by its square.
   using Share = std::pair<Rational, Integer>;
   std::vector<Share> add_contacts(const Scene3& scene, const Vertices3& vertices);
-  void measure(const Blockers3& blockers, const std::vector<Share>& of_contacts);
+  void measure(const Blockers3& blockers, const std::vector<Share>& of_contacts, const Rational& square_metres);
 
   std::vector<Element> elements_;
   std::vector<Part> parts_;

@@ -18,6 +18,7 @@
 #include "geometry/space/exchange/pair_sums.h"
 #include "geometry/space/exchange/prepared_scene.h"
 #include "geometry/space/exchange/rest_for_sky.h"
+#include "geometry/unit_of_length.h"
 #include "geometry/unmeasured_pairs.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
@@ -203,13 +204,13 @@ std::vector<PairEntry> entries_of(const PreparedScene3& prepared, const ElementT
                                   ExchangeReport3& report) {
   const Vertices3& vertices = prepared.blockers().vertices();
   const Rational unit = scaled_by_power_of_two(vertices.scale(), vertices.shift());
-  const double of_scene = to_double(unit * unit);
+  const double told = to_double(unit * unit * square_metres_per_unit(prepared.scene));
   std::vector<PairEntry> entries;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const double area = smaller_area(table, pairs[k]);
     const double visibility =
         request.wants_visibility ? visibility_of(table, pairs[k]) : std::numeric_limits<double>::quiet_NaN();
-    entries.push_back({visibility, pairs[k].measure * of_scene, is_enclosed(pairs[k], request.tolerance * area)});
+    entries.push_back({visibility, pairs[k].measure * told, is_enclosed(pairs[k], request.tolerance * area)});
     report.enclosed += entries.back().is_enclosed;
     report.max_error = std::max(report.max_error, pairs[k].error / area);
   }

@@ -12,6 +12,7 @@
 #include "geometry/space/exchange/groups_alone.h"
 #include "geometry/space/exchange/pair_shares.h"
 #include "geometry/space/exchange/unobstructed.h"
+#include "geometry/unit_of_length.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 
@@ -50,7 +51,7 @@ class Reporter {
         from_(from),
         to_(to) {
     const Vertices3& vertices = prepared.blockers().vertices();
-    const Rational unit = scaled_by_power_of_two(vertices.scale(), vertices.shift());
+    const Rational unit = scaled_by_power_of_two(vertices.scale(), vertices.shift()) * metres_per_unit(prepared.scene);
     length_ = to_double(unit);
     square_ = to_double(unit * unit);
     is_turned_ = !from_ || (to_ && *to_ < *from_);
@@ -268,7 +269,7 @@ class Reporter {
   const PairShares3 shares_;
   const std::optional<Face> from_, to_;
   bool is_turned_ = false;          // pairs are measured from the face that comes first
-  double length_ = 1, square_ = 1;  // of the doubles of Vertices3
+  double length_ = 1, square_ = 1;  // of the doubles of Vertices3, in metres
   PairReport3 report_;
 };
 

@@ -22,8 +22,8 @@ struct Estimate3 {
   Enclosure bounds{0, 0};
 };
 
-// A pair of faces, or a face and the sky, which are the six walls of a box around the scene. Measures are in squares of
-// scene units.
+// A pair of faces, or a face and the sky, which are the six walls of a box around the scene. Measures are in m², or in
+// squares of the unit of the scene where that is unknown.
 //
 //   (1) exchange is S, unobstructed is S0, with everything else taken away; of the sky that is the area of the face.
 //       They are what exact_exchange has of the pair, bit for bit, and so are visibility and factors
@@ -39,7 +39,7 @@ struct PairReport3 {
     Point3 from, to;                          // exact, scene coordinates
     std::vector<std::uint32_t> surfaces;      // that may stand between and end there, ascending
     std::uint32_t relied;                     // polynomials of which signs were relied on
-    std::vector<PairDetails3::Piece> pieces;  // measures in scene units
+    std::vector<PairDetails3::Piece> pieces;  // measures as of the pair
     double measure = 0;                       // their sum
   };
 
@@ -59,7 +59,7 @@ struct PairReport3 {
   std::vector<Stretch> stretches;
   Estimate3 along_edges;
   std::string problem;  // of the sum along edges where the measure has a closed form, as PairMeasure3; else empty
-  double residual = 0, residual_bound = 0;  // of translation; scene units
+  double residual = 0, residual_bound = 0;  // of translation, in metres as measures are in their squares
   std::uint32_t maps = 0, pieces = 0, nodes = 0;
   SignCounts signs;
 

@@ -8,6 +8,7 @@
 
 #include "geometry/name.h"
 #include "geometry/scene_names.h"
+#include "geometry/unit_of_length.h"
 #include "geometry/visibility_quotient.h"
 #include "kernel/decimal.h"
 #include "kernel/exact_double.h"
@@ -185,11 +186,17 @@ VisibilityAnswer face_point_answer(const PreparedScene2& prepared, const std::st
 
 namespace {
 
-void add_measure(const char* key, const std::string& label, const RootSum& measure, Draft& answer) {
+// The closed form is in the unit, the decimal in metres where that is known.
+void add_measure(const char* key, const std::string& label, const RootSum& measure, const std::string& unit,
+                 Draft& answer) {
   const std::string form = measure.to_string();
-  answer.json[key] = json_of(round_quotient(measure, RootSum(Rational(1))).number);
+  const Rational metres = metres_of(unit).value_or(1);
+  const RootSum told = measure * metres;
+  answer.json[key] = json_of(round_quotient(told, RootSum(Rational(1))).number);
   answer.json[key]["exact"] = form;
-  answer.text += fmt::format("  {:<28} {:<22} = {}\n", label, decimal_text(measure), form);
+  answer.text += metres == 1
+                     ? fmt::format("  {:<28} {:<22} = {}\n", label, decimal_text(told), form)
+                     : fmt::format("  {:<28} {:<22} = {} in {}\n", label, decimal_text(told) + " m", form, unit);
 }
 
 // Of what has no area, as the sky, there is no quotient.
@@ -228,12 +235,12 @@ VisibilityAnswer pair_answer(const PairSight2& sight) {
   answer.json["from"] = sight.from;
   answer.json["to"] = sight.to;
   answer.text = fmt::format("'{}' and '{}'\n", sight.from, sight.to);
-  add_measure("exchange", "S, exchange measure", pair.exchange, answer);
-  add_measure("unobstructed", "S0, everything else removed", pair.unobstructed, answer);
+  add_measure("exchange", "S, exchange measure", pair.exchange, sight.unit, answer);
+  add_measure("unobstructed", "S0, everything else removed", pair.unobstructed, sight.unit, answer);
   add_quotient("visibility", "Vis = S / S0", pair.exchange, pair.unobstructed, true, answer);
   const auto add_area = [&](const char* key, const std::string& name, const RootSum& area, bool is_face) {
     if (is_face)
-      add_measure(key, "A of '" + name + "'", area, answer);
+      add_measure(key, "A of '" + name + "'", area, sight.unit, answer);
     else
       answer.json[key] = nullptr;
   };

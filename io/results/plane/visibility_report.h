@@ -30,9 +30,11 @@ struct PairSight2 {
   std::optional<Face> face_from, face_to;
   ExactPair2 pair;
   std::vector<CriticalPoint2> critical;  // of `from` with respect to `to`; none of the sky
+  std::string unit{};                    // of lengths, as closed forms have them (SceneTable::unit)
 };
 // What they exchange, what they would exchange with everything else taken away, the part of it that is visible, both
-// areas and both factors, and the critical points. The sky has neither area nor factor: null.
+// areas and both factors, and the critical points. Decimals of lengths are in metres where the unit is known
+// (metres_of), closed forms in the unit. The sky has neither area nor factor: null.
 VisibilityAnswer pair_answer(const PairSight2& sight);
 
 }  // namespace hottel

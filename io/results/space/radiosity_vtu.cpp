@@ -10,6 +10,7 @@
 
 #include "geometry/scene_names.h"
 #include "geometry/space/exchange/element_table.h"
+#include "geometry/unit_of_length.h"
 #include "io/results/temperature_files.h"
 #include "kernel/rational.h"
 #include "kernel/written_double.h"
@@ -107,6 +108,7 @@ class CellData {
           values.push_back(quantity.second(channel.elements[label]));
         return values;
       });
+    if (!has_known_unit(scene_)) return;
     std::vector<std::string> names = solution_.channel_names;
     if (scene_.has_bands) names.emplace_back("total");
     write_components("net_flux", names, [&](std::uint32_t label) {

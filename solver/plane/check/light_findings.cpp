@@ -58,12 +58,13 @@ class LightTeller {
   }
 
  private:
-  // Those of the scene; without its lights, and an error, where these are too much for doubles.
+  // Those of the scene; without its lights, and an error, where these are too much for doubles or cannot be told.
   RadiositySources given_sources() {
     try {
       return sources_of(matrix_, scene_, lights_);
     } catch (const RequestError& error) {
-      add(Severity::kError, "beyond-doubles", {}, error.what(), "choose another unit of light");
+      const LightError told = refused_light(scene_, error.what());
+      add(Severity::kError, told.kind, {}, told.message, told.suggestion);
       return sources_of(matrix_, scene_.materials, scene_.sky_emission);
     }
   }

@@ -5,6 +5,7 @@
 #include "geometry/plane/visibility/point_location.h"
 #include "geometry/plane/visibility/solid_around.h"
 #include "geometry/plane/visibility/sun_view.h"
+#include "geometry/unit_of_length.h"
 #include "kernel/ball.h"
 #include "kernel/support/naming_file.h"
 #include "solver/plane/light/beam.h"
@@ -52,10 +53,9 @@ LightShares shares_of_sun(const PreparedScene2& prepared, const ElementTable2& t
   for (const SunView2::Strip& strip : view.strips()) width[table.of(strip.side)] += view.width(strip);
   const Point2& d = view.direction();
   const Ball length = Ball::root(Rational(d.x * d.x + d.y * d.y).get_num(), kPrecision);
+  const Rational scale = prepared.arrangement.vertices().scale() * metres_per_unit(prepared.scene);
   const auto across = [&](const Rational& wide) {
-    return Ball::of(Rational(wide * prepared.arrangement.vertices().scale()), kPrecision)
-        .over(length, kPrecision)
-        .bounds();
+    return Ball::of(Rational(wide * scale), kPrecision).over(length, kPrecision).bounds();
   };
   LightShares shares;
   shares.of_element.resize(table.count(), Enclosure{0, 0});

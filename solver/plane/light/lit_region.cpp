@@ -7,6 +7,7 @@
 #include "geometry/plane/predicates/eye_line.h"
 #include "geometry/plane/scene/moving_lights.h"
 #include "geometry/plane/visibility/solid_around.h"
+#include "geometry/unit_of_length.h"
 
 namespace hottel {
 
@@ -99,8 +100,7 @@ LitRegions2::LitRegions2(const PreparedScene2& prepared) {
   if (scene.lights.empty()) return;
   const PointLocation2 location(prepared.arrangement.vertices(), prepared.arrangement.triangulation());
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-    Power power;
-    for (std::size_t c = 0; c < 3; ++c) power[c] = to_double(scene.lights[k].power.value[c]);
+    const Power power = power_by_typed_distance_2(scene, scene.lights[k]);
     if (scene.lights[k].is_sun()) {
       suns_.push_back({SunView2(prepared.arrangement, sun_direction(scene.light_places[k])), power});
       continue;

@@ -6,6 +6,7 @@
 #include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/scene/moving_lights.h"
 #include "geometry/plane/visibility/point_location.h"
+#include "geometry/unit_of_length.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/naming_file.h"
 #include "solver/plane/light/beam.h"
@@ -56,7 +57,7 @@ class SunTester {
   SunTester(const PreparedScene2& prepared, const LightPlace2& place, LightTest test)
       : vertices_(prepared.arrangement.vertices()),
         view_(prepared.arrangement, sun_direction(place)),
-        scale_over_length_(to_double(vertices_.scale()) /
+        scale_over_length_(to_double(vertices_.scale() * metres_per_unit(prepared.scene)) /
                            std::hypot(to_double(view_.direction().x), to_double(view_.direction().y))),
         test_(test) {}
 

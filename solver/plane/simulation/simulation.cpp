@@ -108,7 +108,7 @@ std::vector<std::size_t> first_alike(const std::vector<Material>& materials) {
 
 // All of a scene that its undivided arrangement comes from: its shape, its names, and which materials act alike.
 bool is_same_shape(const Scene2& a, const Scene2& b) {
-  return a.file == b.file && a.edges == b.edges &&
+  return a.file == b.file && a.unit == b.unit && a.edges == b.edges &&
          std::ranges::equal(a.surfaces, b.surfaces, &Surface::is_alike_undivided) && a.groups == b.groups &&
          a.bases == b.bases && std::ranges::equal(a.materials, b.materials, {}, &Material::name, &Material::name) &&
          first_alike(a.materials) == first_alike(b.materials);

@@ -97,8 +97,8 @@ std::vector<LightError> errors_of(const Scene3& scene, const ExchangeMatrix& mat
   try {
     const RadiositySources sources = sources_of(matrix, scene, lights);
     return light_errors(scene, matrix, sources, light_fates(scene, matrix, sources), "area");
-  } catch (const RequestError& error) {  // lights that are too much for doubles
-    return {{"beyond-doubles", {}, error.what(), "choose another unit of light"}};
+  } catch (const RequestError& error) {  // lights that are too much for doubles, or cannot be told
+    return {refused_light(scene, error.what())};
   }
 }
 

@@ -7,6 +7,7 @@
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/prepared_scene.h"
 #include "geometry/space/visibility/exact_map.h"
+#include "geometry/unit_of_length.h"
 #include "kernel/support/parallel.h"
 
 namespace hottel {
@@ -108,9 +109,12 @@ std::vector<Enclosure> sunlit_areas(const PreparedScene3& prepared, const Elemen
       sums[label] = sums[label].plus(share, kPrecision);
       is_lit[label] = 1;
     }
+  const Rational square_metres = square_metres_per_unit(prepared.scene);
+  const Ball told = Ball::of(square_metres, kPrecision);
   std::vector<Enclosure> result(table.count(), Enclosure{0, 0});
   for (std::uint32_t label = 0; label < table.count(); ++label)
-    if (is_lit[label] != 0) result[label] = sums[label].bounds();
+    if (is_lit[label] != 0)
+      result[label] = (square_metres == 1 ? sums[label] : sums[label].times(told, kPrecision)).bounds();
   return result;
 }
 

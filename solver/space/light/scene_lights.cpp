@@ -1,5 +1,6 @@
 #include "solver/space/light/scene_lights.h"
 
+#include "geometry/unit_of_length.h"
 #include "solver/space/light/scene_light_shares.h"
 
 namespace hottel {
@@ -21,7 +22,7 @@ SceneLights3::SceneLights3(const PreparedScene3& prepared) {
     lamp.light = scene.lights[k].is_sun()
                      ? std::make_unique<const DirectLight3>(prepared, place.direction)
                      : std::make_unique<const DirectLight3>(prepared, place.position, beam_of(scene.lights[k], place));
-    for (std::size_t c = 0; c < 3; ++c) lamp.power[c] = to_double(scene.lights[k].power.value[c]);
+    lamp.power = power_by_typed_distance_3(scene, scene.lights[k]);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/visibility/exact_map.h"
 #include "geometry/space/visibility/sight_finder.h"
+#include "geometry/unit_of_length.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/naming_file.h"
 #include "kernel/support/parallel.h"
@@ -63,6 +64,7 @@ class Tester {
         finder_(map_),
         beam_(beam_of(light, place)),
         sun_(place.direction),
+        square_metres_(to_double(square_metres_per_unit(prepared.scene))),
         test_(test) {}
 
   double share(const Patch3& patch) const {
@@ -70,7 +72,7 @@ class Tester {
     if (map_.sun()) {
       const Rational across = -dot(exact.area, sun_);
       const double part = across > 0 ? lit_part(exact) : 0;
-      return part > 0 ? part * root(across * across / dot(sun_, sun_)) : 0;
+      return part > 0 ? part * root(across * across / dot(sun_, sun_)) * square_metres_ : 0;
     }
     const Vector3 way = exact.centroid - map_.eye();
     const Rational height = -dot(exact.area, way), square = dot(way, way);  // area, cosine and distance
@@ -93,7 +95,8 @@ class Tester {
   ExactMap3 map_;
   SightFinder3 finder_;
   BeamPower3 beam_;
-  Vector3 sun_;  // of a sun: the direction of its rays
+  Vector3 sun_;           // of a sun: the direction of its rays
+  double square_metres_;  // of a square of the unit of the scene
   LightTest test_;
 };
 

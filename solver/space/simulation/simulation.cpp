@@ -121,8 +121,9 @@ StagePtr<PreparedScene3> prepared_stage(const ScenePtr& scene, const StagePtr<Pr
 
 // All of a scene that its arrangement, and factors, come from but for its materials.
 bool is_same_shape(const Scene3& a, const Scene3& b) {
-  return a.file == b.file && a.polygons == b.polygons && a.masks == b.masks && a.groups == b.groups &&
-         a.bases == b.bases && std::ranges::equal(a.surfaces, b.surfaces, &Surface::is_alike_undivided) &&
+  return a.file == b.file && a.unit == b.unit && a.polygons == b.polygons && a.masks == b.masks &&
+         a.groups == b.groups && a.bases == b.bases &&
+         std::ranges::equal(a.surfaces, b.surfaces, &Surface::is_alike_undivided) &&
          std::ranges::equal(a.materials, b.materials, {}, &Material::name, &Material::name);
 }
 

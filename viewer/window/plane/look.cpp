@@ -95,7 +95,8 @@ void add_pair(const LiveState2& state, LookResult2& result) {
                    .face_from = face,
                    .face_to = other,
                    .pair = exact_pair(*state.prepared, face, other),
-                   .critical = {}};
+                   .critical = {},
+                   .unit = scene.unit};
   if (request.look == Look2::kPair) {
     sight.critical = critical_points(*state.prepared, *face, other);
     result.pair = drawing_of(sight);
