@@ -102,10 +102,10 @@ void write_oriented_light(const OrientedPointsInput& input, Scene scene, Streams
   const int dimension = std::holds_alternative<Scene2>(scene) ? 2 : 3;
   const std::vector<OrientedPoint> points = read_oriented_points(input.text, input.name, dimension);
   OutputFile file = streams.output(input.out);  // opened before the work
-  const auto [channels, light_at] = light_of(std::move(scene), streams.stages());
+  const LightOfScene light = light_of(std::move(scene), streams.stages());
   try {
-    OrientedLightCsv csv(dimension, channels, [&file](std::string_view text) { file.write(text); });
-    naming_file(input.scene, [&] { write_light(points, light_at, streams, csv); });
+    OrientedLightCsv csv(dimension, light.channel_names, [&file](std::string_view text) { file.write(text); });
+    naming_file(input.scene, [&] { write_light(points, light.light_at, streams, csv); });
     file.commit();
   } catch (const ReaderGone&) {  // nobody reads on
   }
