@@ -6,6 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/scene_input.h"
+#include "cli/unit_notes.h"
 #include "geometry/plane/exchange/element_pieces.h"
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/prepared_scene.h"
@@ -112,6 +113,8 @@ SceneReference refer_in_space(const std::string& name, GivenScene given, double 
 SceneReference refer(const ReferenceOptions& options, const std::string& file, const std::string& name,
                      const Streams& streams) {
   GivenScene given = given_scene(file, options.polygons, streams);
+  require_light_in_watts(given.scene);
+  note_unknown_unit(given.scene, streams);
   if (std::holds_alternative<Scene3>(given.scene))
     return refer_in_space(name, std::move(given), tolerance_of(options.tolerance, kTolerance), streams);
   if (options.tolerance)

@@ -58,9 +58,8 @@ std::string untold_lamp(const SceneTable& table) {
   if (has_known_unit(table)) return "";
   for (const Light& light : table.lights)
     if (!light.is_sun() && std::ranges::any_of(light.power.value, [](const Rational& power) { return power > 0; }))
-      return "what light " + quoted_name(light.name) +
-             " of so many W makes on an area cannot be told: the unit of length " + quoted_name(table.unit) +
-             " is none of " + kKnownUnits;
+      return "light " + quoted_name(light.name) + " cannot be told in W/m²: the unit of length " +
+             quoted_name(table.unit) + " is none of " + kKnownUnits;
   return "";
 }
 

@@ -297,7 +297,7 @@ TEST(Units, OfAnUnknownNameNothingIsToldInWatts) {
     place.write("lit.json", scene);
     const Outcome refused = place.run("hottel solve lit.json -o out");
     EXPECT_EQ(refused.code, 1);
-    EXPECT_THAT(refused.err, HasSubstr("lit.json: what light 'light[0]'"));
+    EXPECT_THAT(refused.err, HasSubstr("lit.json: light 'light[0]'"));
     EXPECT_THAT(refused.err, HasSubstr("'furlong' is none of m, mm, cm, km, in or ft"));
     EXPECT_EQ(place.run("hottel factors lit.json --quiet").code, 0);
     const Outcome checked = place.run("hottel check lit.json --json");
