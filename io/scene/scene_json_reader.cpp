@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cstdint>
 #include <optional>
 
 #include "geometry/name.h"
@@ -85,10 +87,31 @@ Scene read(const std::filesystem::path& file, const Reading& reading) {
                       : read_mesh_scene_3(file, reading.triangulator, reading.passed_over).scene;
 }
 
+// Whether the first line that is no comment has a statement of OBJ.
+bool begins_as_obj(std::string_view text) {
+  while (text.starts_with('#')) {
+    text.remove_prefix(std::min(text.find('\n'), text.size()));
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  }
+  const std::string_view word = text.substr(0, text.find_first_of(" \t\r\n"));
+  constexpr std::array<std::string_view, 9> kWords{"v", "vn", "vt", "f", "o", "g", "s", "mtllib", "usemtl"};
+  return std::ranges::find(kWords, word) != kWords.end();
+}
+
+// Whether it is as long as its count of triangles says, at 80.
+bool is_binary_stl(std::string_view text) {
+  if (text.size() < 84) return false;
+  std::uint64_t count = 0;
+  for (std::size_t k = 0; k < 4; ++k) count |= std::uint64_t{static_cast<unsigned char>(text[80 + k])} << (8 * k);
+  return text.size() == 84 + 50 * count;
+}
+
 // The format of a mesh that begins with a word of its own.
-std::optional<MeshFormat3> mesh_format_of(std::string_view start) {
-  if (start.starts_with("solid") && start.substr(0, 4096).find("facet") != std::string_view::npos)
+std::optional<MeshFormat3> mesh_format_of(std::string_view text, std::string_view start) {
+  if (is_binary_stl(text) ||
+      (start.starts_with("solid") && start.substr(0, 4096).find("facet") != std::string_view::npos))
     return MeshFormat3::kStl;
+  if (begins_as_obj(start)) return MeshFormat3::kObj;
   if (start.starts_with("ply")) return MeshFormat3::kPly;
   if (start.substr(0, 8).find("OFF") != std::string_view::npos) return MeshFormat3::kOff;
   return std::nullopt;
@@ -122,7 +145,7 @@ Scene parse_any_scene(std::string_view text, const std::string& name_for_message
                       PassedOver* passed_over, MapSide2 side) {
   const std::string_view start = text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   if (start.starts_with('<')) return parse_svg_2(text, name_for_messages, passed_over);
-  if (const auto format = mesh_format_of(start))
+  if (const auto format = mesh_format_of(text, start))
     return scene_of(parse_mesh_3(*format, text, name_for_messages), triangulator, passed_over).scene;
   const bool is_word = !start.empty() && std::isalpha(static_cast<unsigned char>(start.front())) != 0;
   if (is_word || (start.starts_with('{') && is_geojson(text, name_for_messages)))

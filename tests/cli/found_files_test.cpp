@@ -201,6 +201,23 @@ TEST(FoundFiles, EveryCommandReadsDrawingsAndMapsAndStandardInput) {
   EXPECT_THAT(place.run("echo '{' | hottel factors -").err, StartsWith("standard input:1: "));
 }
 
+TEST(FoundFiles, MeshesOfEveryFormatComeByStandardInput) {
+  const Workplace place;
+  ASSERT_EQ(place.run(std::string("cp ") + HOTTEL_SOURCE_DIR + "/scenes/space/cube.json .").code, 0);
+  for (const char* format : {"obj", "ply", "off", "stl"}) {
+    const std::string file = std::string("cube.") + format;
+    ASSERT_EQ(place.run("hottel convert cube.json " + file).code, 0) << format;
+    const Outcome piped = place.run("hottel factors - --quiet <" + file),
+                  named = place.run("hottel factors --quiet " + file);
+    EXPECT_EQ(piped.code, 0) << piped.err;
+    EXPECT_EQ(lines_of(piped.out).size(), lines_of(named.out).size()) << format;
+    EXPECT_GT(lines_of(piped.out).size(), 20u) << format;
+  }
+  const Outcome commented = place.run("(echo '# a cube'; echo; cat cube.obj) | hottel factors - --quiet");
+  EXPECT_EQ(commented.code, 0) << commented.err;
+  EXPECT_EQ(place.run("echo 'mesh' | hottel factors -").code, 3);
+}
+
 TEST(FoundFiles, APointOnAnOutlineMaySeeWhatItsFrontSees) {
   const Workplace place;
   place.write("square.wkt", "POLYGON ((0 0, 5 0, 5 5, 0 5, 0 0))");
