@@ -1,7 +1,5 @@
 #include "io/scene/plane/scene_reader.h"
 
-#include <cmath>
-
 #include "geometry/name.h"
 #include "geometry/planarity.h"
 #include "geometry/plane/scene/patch_seats.h"
@@ -149,8 +147,6 @@ class PlaneReader {
       count = &result.ny;
     }
     if (const std::string problem = grid_problem(result); !problem.empty()) refuse(max, "grid: " + problem);
-    for (const Rational& x : {result.min.x, result.min.y, result.max.x, result.max.y})
-      if (!std::isfinite(to_double(x))) refuse(max, "grid: it reaches beyond the range of doubles");
     scene_.grid = std::move(result);
   }
 

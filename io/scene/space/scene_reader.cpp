@@ -1,7 +1,6 @@
 #include "io/scene/space/scene_reader.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <unordered_map>
 #include <utility>
@@ -295,9 +294,6 @@ class SpaceReader3 {
       count = &grid.nv;
     }
     if (const std::string problem = grid_problem(grid); !problem.empty()) refuse(value, "grid: " + problem);
-    for (const Rational& x :
-         {grid.origin.x, grid.origin.y, grid.origin.z, grid.u.x, grid.u.y, grid.u.z, grid.v.x, grid.v.y, grid.v.z})
-      if (!std::isfinite(to_double(x))) refuse(value, "grid: it reaches beyond the range of doubles");
     scene_.grid = std::move(grid);
   }
 

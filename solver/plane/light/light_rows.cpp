@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
@@ -59,10 +60,16 @@ class Room {
   std::atomic<std::uint64_t> taken_{0}, cells_{0};
 };
 
+void require_doubles(const Grid2& grid) {
+  for (const Rational& x : {grid.min.x, grid.min.y, grid.max.x, grid.max.y})
+    if (!std::isfinite(to_double(x))) throw RequestError("the grid reaches beyond the range of doubles");
+}
+
 }  // namespace
 
 void for_each_light_row(const PreparedScene2& prepared, const Grid2& grid, const ElementTable2& table, Blacks2 blacks,
                         const std::function<void(double)>& progress, const LightRowVisit2& visit) {
+  require_doubles(grid);
   const LightColumns2 columns(prepared.arrangement, table);
   const CellViews2 views(prepared, grid);
   for (std::size_t band = 0; band < views.bands(); ++band) {
