@@ -34,8 +34,8 @@ Scene read_scene(const std::filesystem::path& file, Triangulator3* triangulator 
                  PassedOver* passed_over = nullptr, MapSide2 side = MapSide2::kInside);
 
 // The same for a text that comes without a name, and so without an ending: JSON; GeoJSON, which is no scene but has a
-// "type"; a drawing, which begins with '<'; a mesh that begins with solid, ply, OFF or a statement of OBJ, or is as long
-// as a binary STL file says that it is; or well-known text.
+// "type"; a drawing, which begins with '<'; a mesh that begins with solid, ply, OFF or a statement of OBJ, or is as
+// long as a binary STL file says that it is; or well-known text.
 Scene parse_any_scene(std::string_view text, const std::string& name_for_messages,
                       Triangulator3* triangulator = nullptr, PassedOver* passed_over = nullptr,
                       MapSide2 side = MapSide2::kInside);
