@@ -1,4 +1,4 @@
-// What is said of a scene whose unit of length nobody knows.
+// Notes and refusals of scenes whose unit of length is unknown.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace hottel {
 
-// Tells what areas are in, and that nothing is told in W (unknown_unit_note_2, unknown_unit_note_3); nothing where the
-// unit is known.
+// Where the unit is unknown, writes a note: what areas are in, and that no number is in W (unknown_unit_note_2,
+// unknown_unit_note_3).
 void note_unknown_unit(const Scene& scene, const Streams& streams);
 // The notes of a report, with what note_unknown_unit() says before them.
 std::vector<std::string> with_unit_note(const Scene2& scene, std::vector<std::string> notes);

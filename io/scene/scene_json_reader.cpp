@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdint>
 #include <optional>
 
 #include "geometry/name.h"
@@ -13,6 +12,7 @@
 #include "io/scene/scene_json.h"
 #include "io/scene/space/mesh_reader.h"
 #include "io/scene/space/scene_reader.h"
+#include "io/scene/space/stl_reader.h"
 #include "io/scene/space/vs3_reader.h"
 #include "kernel/support/failure.h"
 
@@ -98,17 +98,9 @@ bool begins_as_obj(std::string_view text) {
   return std::ranges::find(kWords, word) != kWords.end();
 }
 
-// Whether it is as long as its count of triangles says, at 80.
-bool is_binary_stl(std::string_view text) {
-  if (text.size() < 84) return false;
-  std::uint64_t count = 0;
-  for (std::size_t k = 0; k < 4; ++k) count |= std::uint64_t{static_cast<unsigned char>(text[80 + k])} << (8 * k);
-  return text.size() == 84 + 50 * count;
-}
-
-// The format of a mesh that begins with a word of its own.
+// The format of a mesh that begins with a word of its own, or is binary STL. `start`: the text without leading blanks.
 std::optional<MeshFormat3> mesh_format_of(std::string_view text, std::string_view start) {
-  if (is_binary_stl(text) ||
+  if (is_binary_stl_3(text) ||
       (start.starts_with("solid") && start.substr(0, 4096).find("facet") != std::string_view::npos))
     return MeshFormat3::kStl;
   if (begins_as_obj(start)) return MeshFormat3::kObj;

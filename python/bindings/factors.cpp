@@ -201,8 +201,8 @@ void add_arrays(py::class_<PythonFactors>& type) {
       "would exchange nothing. Of the method 'exact'; computed when it is first asked for. Read only.\n"
       "UsageError for another method.");
   type.def_property_readonly("areas", &areas_of,
-                             "Areas, float64 of shape (n,), in the plane lengths, in units of the scene (squared in\n"
-                             "space); NaN for the sky. Read only.");
+                             "Areas, float64 of shape (n,), [m2], in the plane lengths, [m]; where nobody knows the\n"
+                             "unit of the scene, in that. NaN for the sky. Read only.");
 }
 
 }  // namespace

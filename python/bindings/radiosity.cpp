@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/near_names.h"
+#include "geometry/unit_of_length.h"
 #include "io/results/temperature_files.h"
 #include "python/bindings/bindings.h"
 #include "solver/radiosity/element_temperatures.h"
@@ -35,18 +36,20 @@ void set_rows(const ExchangeMatrix& matrix, const std::vector<std::uint32_t>& ro
   table.areas = frozen(std::move(areas));
 }
 
-py::dict energy_of(const RadiositySolution& solution) {
+py::dict energy_of(const RadiositySolution& solution, bool is_in_watts) {
+  const auto told = [is_in_watts](double power) { return is_in_watts ? power : kNan; };
   py::dict energy;
-  energy["emitted"] = solution.energy.emitted;
-  energy["absorbed"] = solution.energy.absorbed;
-  energy["to_sky"] = solution.energy.to_sky;
-  energy["defect"] = solution.energy.defect;
+  energy["emitted"] = told(solution.energy.emitted);
+  energy["absorbed"] = told(solution.energy.absorbed);
+  energy["to_sky"] = told(solution.energy.to_sky);
+  energy["defect"] = told(solution.energy.defect);
   return energy;
 }
 
 }  // namespace
 
-PythonRadiosity radiosity_table(const ExchangeMatrix& matrix, const RadiositySolution& solution) {
+PythonRadiosity radiosity_table(const SceneTable& scene, const ExchangeMatrix& matrix,
+                                const RadiositySolution& solution) {
   std::vector<std::uint32_t> rows;
   for (std::uint32_t i = 0; i < matrix.size(); ++i)
     if (matrix.has_row(i)) rows.push_back(i);
@@ -54,7 +57,7 @@ PythonRadiosity radiosity_table(const ExchangeMatrix& matrix, const RadiositySol
   table.what = "radiosities";
   table.channels = solution.channel_names;
   table.guarantee = guarantee_of(solution);
-  table.energy = energy_of(solution);
+  table.energy = energy_of(solution, has_known_unit(scene));
   table.notes = solution.notes;
   set_rows(matrix, rows, table);
   const auto add = [&](const char* name, double (*value)(const ElementRadiosity&)) {
@@ -107,21 +110,21 @@ PythonTemperatures temperature_table(const SceneTable& scene, const ExchangeMatr
   return table;
 }
 
-PythonFlux flux_table(const std::vector<NetFlux>& fluxes, const std::vector<std::string>& channels,
-                      const std::string& guarantee) {
+PythonFlux flux_table(const NetFluxes& all, const std::vector<NetFlux>& some, const std::string& guarantee) {
   PythonFlux table;
   table.what = "net fluxes";
-  table.channels = channels;
+  table.channels = all.channel_names;
   table.guarantee = guarantee;
   std::vector<double> areas;
-  for (const NetFlux& flux : fluxes) {
+  for (const NetFlux& flux : some) {
     table.names.push_back(flux.name);
     areas.push_back(flux.area.value_or(kNan));
   }
   table.areas = frozen(std::move(areas));
   const auto add = [&](const char* name, double NetFlux::Power::*member) {
-    table.columns[name] = filled(fluxes.size(), channels.size(),
-                                 [&](std::size_t r, std::size_t c) { return fluxes[r].by_channel[c].*member; });
+    table.columns[name] = filled(some.size(), all.channel_names.size(), [&](std::size_t r, std::size_t c) {
+      return all.are_in_watts ? some[r].by_channel[c].*member : kNan;
+    });
   };
   add("net", &NetFlux::Power::value);
   add("lower", &NetFlux::Power::lower);
@@ -173,7 +176,9 @@ py::class_<Table> add_table(py::module_& module, const char* name, const char* d
           "The names of the columns of every array, a tuple of c str: 'all'; 'r', 'g', 'b'; or bands.")
       .def_property_readonly(
           "areas", [](const Table& table) { return table.areas; },
-          "Areas, float64 of shape (n,), in the plane lengths; NaN for what has none. Read only.")
+          "Areas, float64 of shape (n,), [m2], in the plane lengths, [m]; where nobody knows the unit of the scene, "
+          "in\n"
+          "that. NaN for what has none. Read only.")
       .def_property_readonly(
           "guarantee", [](const Table& table) { return table.guarantee; },
           "'enclosed': lower and upper are proven of these elements. 'estimated': they are proven of the factors as\n"
@@ -224,7 +229,7 @@ void add_radiosity(py::module_& module) {
   radiosity.def_property_readonly(
       "energy", [](const PythonRadiosity& table) { return py::dict(table.energy.attr("copy")()); },
       "Where the power goes [W; W per metre of depth in the plane]: a dict of 'emitted', 'absorbed', 'to_sky', "
-      "'defect'.");
+      "'defect'. NaN where nobody knows the unit of length.");
 
   auto temperatures = add_table<PythonTemperatures>(
       module, "Temperatures",
@@ -237,7 +242,8 @@ void add_radiosity(py::module_& module) {
   auto flux = add_table<PythonFlux>(
       module, "NetFlux",
       "Net fluxes [W; W per metre of depth in the plane], positive where more leaves than arrives. Arrays are float64\n"
-      "of shape (n, c); where there are two bands the channel 'total' is the last. flux['wall'] is a dict of one row.");
+      "of shape (n, c); where there are two bands the channel 'total' is the last. flux['wall'] is a dict of one row.\n"
+      "NaN where nobody knows the unit of length of the scene.");
   add_column(flux, "net", "Net fluxes, shape (n, c), [W] or [W/m]. Read only.");
   add_column(flux, "lower", "Lower bounds of `net`, shape (n, c), [W] or [W/m]. Read only.");
   add_column(flux, "upper", "Upper bounds of `net`, shape (n, c), [W] or [W/m]. Read only.");

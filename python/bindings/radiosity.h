@@ -30,10 +30,11 @@ struct PythonTemperatures : NumberTable {};
 // Of net fluxes of faces, groups or lights, as in flux.csv.
 struct PythonFlux : NumberTable {};
 
-PythonRadiosity radiosity_table(const ExchangeMatrix& matrix, const RadiositySolution& solution);
+// Of numbers in W, where nobody knows the unit of length: NaN.
+PythonRadiosity radiosity_table(const SceneTable& scene, const ExchangeMatrix& matrix,
+                                const RadiositySolution& solution);
 PythonTemperatures temperature_table(const SceneTable& scene, const ExchangeMatrix& matrix,
                                      const RadiositySolution& solution);
-PythonFlux flux_table(const std::vector<NetFlux>& fluxes, const std::vector<std::string>& channels,
-                      const std::string& guarantee);
+PythonFlux flux_table(const NetFluxes& all, const std::vector<NetFlux>& some, const std::string& guarantee);
 
 }  // namespace hottel::python

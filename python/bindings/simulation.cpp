@@ -107,7 +107,7 @@ class PythonSimulation {
   py::object radiosity() {
     return kept(radiosity_, [this] {
       const Solved solved = solve();
-      return py::cast(radiosity_table(*solved.matrix, *solved.solution));
+      return py::cast(radiosity_table(scene_.table(), *solved.matrix, *solved.solution));
     });
   }
 
@@ -129,7 +129,7 @@ class PythonSimulation {
             },
             simulation);
       });
-      return py::cast(flux_table(fluxes.*which, fluxes.channel_names, to_string(solved.solution->guarantee)));
+      return py::cast(flux_table(fluxes, fluxes.*which, to_string(solved.solution->guarantee)));
     });
   }
   py::object face_flux() { return flux(&NetFluxes::faces, faces_); }

@@ -48,11 +48,12 @@ RadiositySolution scene_radiosities(const RadiositySolver& system, const SceneTa
     const RadiositySources sources = sources_of(matrix, scene, lights);
     for (std::string& note : lost_light_notes(scene.lights, lights)) notes.push_back(std::move(note));
     if (const auto note = black_in_solar_note(matrix, scene.materials)) notes.push_back(*note);
+    beyond = below_doubles(matrix, scene.materials);
+    if (beyond) return RadiositySolution{};
     RadiositySolution solution = system.solve(sources, progress);
     if (const auto place = solution.seconds.find("radiosity"); place != solution.seconds.end())
       place->second += system.seconds();
     beyond = beyond_doubles(matrix, scene.sky_emission, solution);
-    if (!beyond) beyond = below_doubles(matrix, scene.materials);
     if (!beyond) beyond = temperature_beyond_doubles(matrix, scene.materials, solution);
     if (beyond) return solution;
     if (matrix.guarantee() == Guarantee::kEnclosed) {

@@ -56,6 +56,19 @@ def test_what_a_caller_owns_changes_nothing(simulation):
     assert simulation.radiosity.energy["emitted"] == 2
 
 
+def test_a_unit_that_nobody_knows_gives_no_watts(square):
+    known = hottel.Simulation(hottel.Scene(dict(square, unit="mm")))
+    unknown = hottel.Simulation(hottel.Scene(dict(square, unit="furlong")))
+    assert (known.factors.factors == unknown.factors.factors).all()
+    assert (known.radiosity.radiosity == unknown.radiosity.radiosity).all()
+    assert numpy.allclose(known.radiosity.areas * 1000, unknown.radiosity.areas)
+    assert known.radiosity.energy["emitted"] == 0.002
+    assert numpy.isfinite(known.flux.net).all()
+    assert all(math.isnan(power) for power in unknown.radiosity.energy.values())
+    for column in (unknown.flux.net, unknown.flux.lower, unknown.flux.upper):
+        assert numpy.isnan(column).all()
+
+
 def test_arrays_outlive_what_they_come_from(square):
     factors = hottel.Simulation(hottel.Scene(square)).factors.factors
     gc.collect()

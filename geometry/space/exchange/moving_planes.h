@@ -128,6 +128,11 @@ class MovingPlanes3 {
   struct Values {
     double value, error;
   };
+  // How far a corner is beside a plane, times some number, and on which side.
+  struct Beside {
+    BoundedValue value;
+    int sign;
+  };
   // c[0] + c[1] s + c[2] s^2, whose coefficients are off by e at most.
   struct Quadratic {
     std::array<double, 3> c, e;
@@ -155,6 +160,7 @@ class MovingPlanes3 {
   bool is_about_one_body(const MovingCorner3& corner, PlaneId3 plane) const;
   bool is_one_face(PlaneId3 a, PlaneId3 b) const;
   bool is_zero_by_identity(const MovingCorner3& corner, PlaneId3 plane) const;
+  Beside beside(const MovingCorner3& corner, PlaneId3 plane, const MovingVector3& normal);
   int settled_sign(const MovingCorner3& corner, PlaneId3 plane);
   int sign(std::uint32_t point, PlaneId3 plane, const BoundedVector& normal);
   // Relies on a sign; `value` is the product of direction and normal.
@@ -173,7 +179,6 @@ class MovingPlanes3 {
   bool sum_whole(const MovingCorner3& corner, PlaneId3 plane, std::array<WideSum, 3>& powers) const;
   const std::array<Integer, 3>& exact_determinant(const MovingCorner3& corner, PlaneId3 plane);  // until the next call
   bool is_zero_for_every_t(const MovingCorner3& corner, PlaneId3 plane);
-  bool is_found_zero_for_every_t(const MovingCorner3& corner, PlaneId3 plane);
   // Whether c[0] + c[1] s + c[2] s^2, which are off by e, has no root between left and right, as a simple bound tells.
   bool is_far_from_zero(const std::array<double, 3>& c, const std::array<double, 3>& e);
   // Narrows left and right to the nearest roots of c[0] + c[1] s + c[2] s^2, which are off by e. False where there may
@@ -215,7 +220,7 @@ class MovingPlanes3 {
   KnownZeros3 known_zeros_;
   std::vector<std::uint64_t> in_face_;  // of bodies: the stamp of a stretch that is in the plane of its face
   std::uint64_t stretch_stamp_ = 0;
-  std::vector<std::pair<BoundedValue, int>> beside_;  // of corners: how far beside a plane, and the sign
+  std::vector<Beside> beside_;
   IntegerVector product_;
   ExactPolynomial polynomial_;
   std::array<Integer, 3> determinant_;

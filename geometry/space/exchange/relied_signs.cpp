@@ -52,17 +52,11 @@ int MovingPlanes3::facing(std::uint32_t body) {
 // For a sign that is zero at t: the other coefficients of its polynomial are zero too.
 bool MovingPlanes3::is_zero_for_every_t(const MovingCorner3& corner, PlaneId3 plane) {
   if (known_zeros_.has(corner, plane)) return true;
-  if (!is_found_zero_for_every_t(corner, plane)) return false;
+  counts_.count(SignTier::kExact);
+  const std::array<Integer, 3>& c = exact_determinant(corner, plane);
+  if (c[1] != 0 || c[2] != 0) return false;
   known_zeros_.add(corner, plane);
   return true;
-}
-
-bool MovingPlanes3::is_found_zero_for_every_t(const MovingCorner3& corner, PlaneId3 plane) {
-  counts_.count(SignTier::kExact);
-  if (std::array<WideSum, 3> powers; sum_whole(corner, plane, powers))
-    return powers[1].sign() == 0 && powers[2].sign() == 0;
-  const std::array<Integer, 3>& c = exact_determinant(corner, plane);
-  return c[1] == 0 && c[2] == 0;
 }
 
 int MovingPlanes3::sign(std::uint32_t point, PlaneId3 plane, const BoundedVector& normal) {
@@ -86,19 +80,22 @@ bool MovingPlanes3::is_any_positive(std::span<const std::uint32_t> points, Plane
                      [&](std::uint32_t point) { return sign(point, side.plane, m) == positive; });
 }
 
+inline MovingPlanes3::Beside MovingPlanes3::beside(const MovingCorner3& corner, PlaneId3 plane,
+                                                   const MovingVector3& m) {
+  const BoundedValue value = dot(corner.direction.first, m.first);
+  const int sign = sign_of(value);
+  if (sign == kUndecided) return {value, settled_sign(corner, plane)};
+  counts_.count(SignTier::kFilter);
+  return {value, sign};
+}
+
 void MovingPlanes3::find_signs(std::span<const MovingCorner3> corners, PlaneSide3 side,
                                std::vector<signed char>& signs) {
   const MovingVector3& m = normal(side.plane);
   signs.resize(corners.size());
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const MovingCorner3& corner = corners[k];
-    const BoundedValue value = dot(corner.direction.first, m.first);
-    int sign = sign_of(value);
-    if (sign == kUndecided)
-      sign = settled_sign(corner, side.plane);
-    else
-      counts_.count(SignTier::kFilter);
-    rely(corner, side.plane, m, value, sign);
+    const auto [value, sign] = beside(corners[k], side.plane, m);
+    rely(corners[k], side.plane, m, value, sign);
     signs[k] = static_cast<signed char>(side.is_opposite ? -sign : sign);
   }
 }
@@ -108,16 +105,10 @@ bool MovingPlanes3::rely_if_none_is_positive(std::span<const MovingCorner3> corn
   const int positive = side.is_opposite ? -1 : 1;
   beside_.clear();
   for (const MovingCorner3& corner : corners) {
-    const BoundedValue value = dot(corner.direction.first, m.first);
-    int sign = sign_of(value);
-    if (sign == kUndecided)
-      sign = settled_sign(corner, side.plane);
-    else
-      counts_.count(SignTier::kFilter);
-    if (sign == positive) return false;
-    beside_.emplace_back(value, sign);
+    beside_.push_back(beside(corner, side.plane, m));
+    if (beside_.back().sign == positive) return false;
   }
-  for (std::size_t k = 0; k < corners.size(); ++k) rely(corners[k], side.plane, m, beside_[k].first, beside_[k].second);
+  for (std::size_t k = 0; k < corners.size(); ++k) rely(corners[k], side.plane, m, beside_[k].value, beside_[k].sign);
   return true;
 }
 

@@ -123,10 +123,6 @@ std::uint32_t triangles_of(std::string_view bytes) {
   return BinaryValues(bytes, std::endian::little, kHeaderBytes).take<std::uint32_t>();
 }
 
-bool is_binary(std::string_view bytes) {
-  return bytes.size() >= kFirstTriangle && bytes.size() == kFirstTriangle + kTriangleBytes * triangles_of(bytes);
-}
-
 bool is_text(std::string_view bytes) {
   const std::size_t begin = bytes.find_first_not_of(" \t\r\n\v\f");
   return begin != std::string_view::npos && is_keyword(bytes.substr(begin, 5), "solid") &&
@@ -175,9 +171,13 @@ Mesh3 parse_binary(std::string_view bytes, const std::string& file) {
 
 }  // namespace
 
+bool is_binary_stl_3(std::string_view bytes) {
+  return bytes.size() >= kFirstTriangle && bytes.size() == kFirstTriangle + kTriangleBytes * triangles_of(bytes);
+}
+
 Mesh3 parse_stl_3(std::string_view bytes, const std::string& file) {
-  if (!is_binary(bytes) && !is_text(bytes)) refuse(bytes, file);
-  Mesh3 mesh = is_binary(bytes) ? parse_binary(bytes, file) : TextStl3(bytes, file).read();
+  if (!is_binary_stl_3(bytes) && !is_text(bytes)) refuse(bytes, file);
+  Mesh3 mesh = is_binary_stl_3(bytes) ? parse_binary(bytes, file) : TextStl3(bytes, file).read();
   if (mesh.faces.empty()) throw InputError({file, 0}, "has no triangles");
   return mesh;
 }

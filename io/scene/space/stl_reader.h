@@ -8,6 +8,9 @@
 
 namespace hottel {
 
+// Whether bytes are a binary STL file, by (1) of parse_stl_3.
+bool is_binary_stl_3(std::string_view bytes);
+
 // Returns the mesh of an STL file, text or binary.
 //
 //   (1) it is binary iff it has 84 + 50 n bytes for the n that its bytes 80 to 83 say; a binary file may begin with
