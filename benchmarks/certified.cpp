@@ -15,10 +15,11 @@
 #include "benchmarks/clutter.h"
 #include "geometry/exchange_request.h"
 #include "geometry/pair_table.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/exchange/gap_terms.h"
 #include "geometry/plane/exchange/term_sums.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/parallel.h"
 
 namespace hottel::benchmarks {
@@ -43,7 +44,7 @@ struct PlainMatrix {
 
 PlainMatrix plain_exchange(const PreparedScene2& prepared) {
   const Arrangement2& arrangement = prepared.arrangement;
-  const ElementTable2 elements(prepared.scene, arrangement, prepared.division, Granularity::kFace);
+  const ElementTable2& elements = *prepared.elements(Granularity::kFace);
   const Vertices2& vertices = arrangement.vertices();
   const auto distance = [&vertices](VertexId v, VertexId w) {
     const auto &p = vertices.approximate(v), &q = vertices.approximate(w);

@@ -7,8 +7,8 @@
 #include <benchmark/benchmark.h>
 
 #include "benchmarks/clutter.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/parallel.h"
 
 namespace hottel::benchmarks {

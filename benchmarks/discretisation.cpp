@@ -10,8 +10,8 @@
 #include <map>
 
 #include "benchmarks/clutter.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/radiosity/radiosity.h"

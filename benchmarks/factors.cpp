@@ -9,8 +9,8 @@
 
 #include "benchmarks/clutter.h"
 #include "benchmarks/peak_memory.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/parallel.h"
 
 namespace hottel::benchmarks {

@@ -11,6 +11,8 @@
 #include <string>
 
 #include "benchmarks/clutter.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/parallel.h"
 #include "solver/plane/light/average_illumination.h"
@@ -26,7 +28,7 @@ enum class Light : bool { kPoints, kAverages };
 void grid(benchmark::State& state, Light light, const Scene2& scene, std::uint32_t side, int threads) {
   const ThreadLimit limit(threads);
   const PreparedScene2 prepared = prepare(scene);
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+  const ElementTable2& table = *prepared.elements(Granularity::kFace);
   std::vector<double> radiosity;
   for (std::size_t k = 0; k < std::size_t{table.count()} * kChannels; ++k)
     radiosity.push_back(1 + 0.001 * static_cast<double>(k));

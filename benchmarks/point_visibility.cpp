@@ -39,7 +39,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "geometry/plane/visibility/visibility_polygon.h"
 #include "geometry/plane/visibility/visibility_polygons.h"

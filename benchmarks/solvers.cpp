@@ -11,8 +11,8 @@
 #include <cmath>
 
 #include "benchmarks/clutter.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/radiosity/radiosity.h"
 
 namespace hottel::benchmarks {

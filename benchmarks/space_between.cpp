@@ -20,8 +20,8 @@
 #include "benchmarks/clutter.h"
 #include "benchmarks/space_scenes.h"
 #include "geometry/space/arrangement/whole_patch.h"
-#include "geometry/space/exchange/pair_measure.h"
 #include "geometry/space/generate/generators.h"
+#include "geometry/space/pairs/pair_measure.h"
 #include "kernel/support/parallel.h"
 #include "kernel/support/stopwatch.h"
 

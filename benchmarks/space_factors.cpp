@@ -26,14 +26,14 @@
 
 #include "benchmarks/clutter.h"
 #include "benchmarks/space_scenes.h"
-#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/between/pair_setting.h"
 #include "geometry/space/exchange/exchange.h"
 #include "geometry/space/exchange/facing.h"
-#include "geometry/space/exchange/pair_setting.h"
-#include "geometry/space/exchange/pair_stretches.h"
-#include "geometry/space/exchange/prepared_scene.h"
-#include "geometry/space/exchange/stretch_map.h"
-#include "geometry/space/exchange/unobstructed.h"
+#include "geometry/space/pairs/pair_stretches.h"
+#include "geometry/space/pieces/stretch_map.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
+#include "geometry/space/unobstructed/unobstructed.h"
 #include "kernel/support/parallel.h"
 #include "kernel/support/stopwatch.h"
 
@@ -168,7 +168,7 @@ void pairs(benchmark::State& state, Room3 room, const Division& division, double
   const ThreadLimit limit(1);
   const DefaultFloatingPoint arithmetic;
   const PreparedScene3 prepared = prepare(room_3(room, division.walls, division.boxes));
-  const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), Granularity::kElement);
+  const ElementTable3& table = *prepared.elements(Granularity::kElement);
   const std::vector<const Part*> parts = chosen(table, who);
   for (auto _ : state) {
     Tally tally;
@@ -253,7 +253,7 @@ void stages(benchmark::State& state, Room3 room, const Division& division, doubl
   const ThreadLimit limit(1);
   const DefaultFloatingPoint arithmetic;
   const PreparedScene3 prepared = prepare(room_3(room, division.walls, division.boxes));
-  const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), Granularity::kElement);
+  const ElementTable3& table = *prepared.elements(Granularity::kElement);
   const std::vector<const Part*> parts = chosen(table, Who::kFronts);
   for (auto _ : state) {
     StagesOfPairs all(prepared, tolerance);
@@ -270,7 +270,7 @@ void town(benchmark::State& state, std::uint64_t buildings, int rows, double tol
   const ThreadLimit limit(1);
   const DefaultFloatingPoint arithmetic;
   const PreparedScene3 prepared = prepare(town_3(buildings));
-  const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), Granularity::kElement);
+  const ElementTable3& table = *prepared.elements(Granularity::kElement);
   const std::vector<const Part*> parts = chosen(table, who);
   std::vector<std::uint32_t> with_row;
   for (std::uint32_t i = 0; i < table.count(); ++i)

@@ -26,7 +26,7 @@
 #include <thread>
 
 #include "benchmarks/window_hands.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/plane/methods/computed_factors.h"
 #include "viewer/edit/plane/scene_edits.h"
 #include "viewer/window/commands.h"

@@ -34,7 +34,7 @@ class Walk {
     desk_.settle(kPatience);
   }
   Desk3& desk() { return desk_; }
-  double elements() const { return desk_.state().version->model().table.count(); }
+  double elements() const { return desk_.state().version->model().table().count(); }
 
  private:
   RecordingWindow window_;

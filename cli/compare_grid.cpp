@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "io/foreign/foreign_grid.h"
 #include "io/results/grid_report.h"
 #include "kernel/support/counted.h"
@@ -66,7 +68,7 @@ JudgedGrid judge_grid(const std::string& file, const MethodComparison2& comparis
             {file + ".json", 0}, "says that the grid lies elsewhere than that of the scene",
             {"the scene may say where: \"grid\": {\"min\": [x, y], \"max\": [x, y], \"cells\": [nx, ny]}"});
     }
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
+  const ElementTable2& table = *prepared.elements(Granularity::kElement);
   const IlluminationGrid2 exact =
       with_lights(prepared, illuminate_points(prepared, grid, table, sent_out_2(table, solution, prepared.scene)));
   return judged(foreign, exact.values, solution,

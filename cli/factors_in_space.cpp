@@ -7,9 +7,9 @@
 
 #include "cli/deck_requests.h"
 #include "cli/script_f.h"
-#include "geometry/space/exchange/element_table.h"
-#include "geometry/space/exchange/prepared_scene.h"
 #include "geometry/space/exchange/written_outlines.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "io/foreign/space/foreign_matrix.h"
 #include "io/results/space/element_files.h"
 #include "io/results/space/factors_report.h"
@@ -82,8 +82,7 @@ void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams
   if (files.out)
     naming_file(options.scene, [&] {
       write_table(options, table, files, [&](const Sink& sink) {
-        const ElementTable3 elements(prepared->scene, prepared->arrangement(), prepared->blockers(),
-                                     request.granularity);
+        const ElementTable3& elements = *prepared->elements(request.granularity);
         write_faces_csv_3(table, written_outlines(elements, prepared->blockers().vertices()), sink);
       });
     });

@@ -8,9 +8,9 @@
 #include <sstream>
 #include <string>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/generate/generators.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "io/files/output_file.h"
 #include "io/files/text_file.h"
 #include "kernel/rational.h"

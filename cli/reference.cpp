@@ -7,10 +7,10 @@
 #include "cli/command.h"
 #include "cli/scene_input.h"
 #include "cli/unit_notes.h"
-#include "geometry/plane/exchange/element_pieces.h"
-#include "geometry/space/exchange/element_table.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/plane/prepared/element_pieces.h"
 #include "geometry/space/exchange/written_outlines.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "io/files/output_file.h"
 #include "io/files/text_file.h"
 #include "io/results/reference_set.h"
@@ -103,8 +103,7 @@ SceneReference refer_in_space(const std::string& name, GivenScene given, double 
                           .max_defect = factors->report.max_defect,
                           .tolerance = tolerance,
                           .write_faces = [&](const Sink& sink) {
-                            const ElementTable3 elements(prepared->scene, prepared->arrangement(), prepared->blockers(),
-                                                         Granularity::kElement);
+                            const ElementTable3& elements = *prepared->elements(Granularity::kElement);
                             write_faces_csv_3(table, written_outlines(elements, prepared->blockers().vertices()), sink);
                           }});
 }

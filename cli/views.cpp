@@ -6,7 +6,9 @@
 
 #include "cli/command.h"
 #include "cli/scene_input.h"
-#include "geometry/plane/exchange/element_pieces.h"
+#include "geometry/plane/prepared/element_pieces.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "io/files/disk_space.h"
 #include "io/results/plane/light_matrix.h"
 #include "kernel/support/memory.h"
@@ -26,7 +28,7 @@ ViewsOutput::ViewsOutput(const std::string& file) : mtx(file), faces(file + ".fa
 
 void write_views_2(const PreparedScene2& prepared, const Grid2& grid, const FactorTable& factors, std::uint64_t memory,
                    const Streams& streams, ViewsOutput& output) {
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, factors.granularity);
+  const ElementTable2& table = *prepared.elements(factors.granularity);
   const LightMatrix2 matrix{prepared, grid, table, memory_allowed(memory)};
   naming_file(prepared.scene.file, [&] {
     const LightMatrixSize size = light_matrix_size(matrix, streams.progress("views, counted"));

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/streams.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "io/files/output_file.h"
 #include "io/results/factor_files.h"
 

@@ -17,6 +17,7 @@ namespace hottel {
 //           divided
 // kGroup:   all fronts, or all backs, of one polyline
 enum class Granularity : unsigned char { kFace, kElement, kGroup };
+inline constexpr std::size_t kGranularities = 3;
 
 // One row or column of an exchange matrix: a face, a part of one, or a group of faces.
 //

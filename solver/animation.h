@@ -91,7 +91,8 @@ class Animation {
   void follow(const Rational& time, const StageProgress& progress = {}) {
     const Simulation moved = still_.with_scene(scene_after(still_.scene(), time));
     const Simulation divided = still_.with_scene(with_trees(still_.scene(), trees_of(moved, progress)));
-    const ExchangeMatrix empty(elements_of(*divided.prepared(progress), Granularity::kElement), Guarantee::kEstimated);
+    const ExchangeMatrix empty(divided.prepared(progress)->elements(Granularity::kElement)->elements(),
+                               Guarantee::kEstimated);
     active_ = active_elements(empty);
   }
 

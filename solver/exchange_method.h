@@ -13,7 +13,8 @@ namespace hottel {
 
 // A way to compute the view factors of a prepared scene.
 //
-//   (1) rows and columns are elements_of(prepared, request.granularity), in that order; a row is there iff the exact
+//   (1) rows and columns are prepared.elements(request.granularity)->elements(), in that order; a row is there iff the
+//   exact
 //       matrix has it; the sky is a column
 //   (2) the same call gives the same matrix bit for bit, for any number of threads
 //   (3) a matrix that is not kExact says nothing of its factors' true values: FactorEntry::factor.side is 0

@@ -24,8 +24,8 @@ ExchangeMatrix normalised(const ExchangeMatrix& matrix);
 // what is returned, at most; infinity where nothing can be said.
 double error_after_division(double error, double row_error);
 
-// Rows of another method, each divided by its sum. REQUIRES elements_of(prepared, granularity) beside the type of the
-// prepared scene.
+// Rows of another method, each divided by its sum. REQUIRES prepared.elements(granularity)->elements() beside the type
+// of the prepared scene.
 template <class Prepared>
 class NormalisedMethod final : public ExchangeMethod<Prepared> {
  public:
@@ -46,12 +46,12 @@ class NormalisedMethod final : public ExchangeMethod<Prepared> {
   std::optional<double> declared_error(const Prepared& prepared) const override {
     const std::optional<double> error = raw_->declared_error(prepared);
     if (!error) return error;
-    const double entries = static_cast<double>(elements_of(prepared, Granularity::kElement).size()) + 1;
+    const double entries = static_cast<double>(prepared.elements(Granularity::kElement)->elements().size()) + 1;
     const double divided = error_after_division(*error, entries * (*error + 2 * kRounding));
     return std::isfinite(divided) ? std::optional(divided) : std::nullopt;
   }
   ClaimedErrors claimed_errors(const Prepared& prepared) const override {
-    const std::size_t columns = elements_of(prepared, Granularity::kElement).size() + 1;
+    const std::size_t columns = prepared.elements(Granularity::kElement)->elements().size() + 1;
     const ClaimedErrors raw = raw_->claimed_errors(prepared);
     std::vector<double> row_error(columns, 0.0);
     for (std::uint32_t i = 0; i + 1 < columns; ++i)

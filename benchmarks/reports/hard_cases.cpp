@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "io/files/output_file.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "benchmarks/reports/space/hard_scenes.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "io/files/output_file.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"

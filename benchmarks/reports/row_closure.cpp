@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "geometry/space/exchange/exchange_rows.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "io/scene/space/vs3_reader.h"
 #include "kernel/support/failure.h"

@@ -21,7 +21,7 @@ bool is_foreign(const std::string& method);
 std::string after_colon(std::string_view variant, const char* what);
 
 // What a method that reads knows of itself: where from. ElementMethod: ElementMethod2 or its like in space, beside
-// which elements_of(prepared, granularity) is there.
+// which prepared.elements(granularity)->elements() is there.
 template <class ElementMethod, class Prepared>
 class ForeignMethod : public ElementMethod {
  public:
@@ -44,8 +44,8 @@ class FromFile final : public ForeignMethod<ElementMethod, Prepared> {
   explicit FromFile(const std::string& file) : ForeignMethod<ElementMethod, Prepared>("file", file) {}
   ExchangeMatrix compute_elements(const Prepared& prepared, const std::function<void(double)>&,
                                   MethodReport& report) const override {
-    return match_foreign_matrix(read_foreign_matrix(this->source()), elements_of(prepared, Granularity::kElement),
-                                report);
+    return match_foreign_matrix(read_foreign_matrix(this->source()),
+                                prepared.elements(Granularity::kElement)->elements(), report);
   }
 };
 
@@ -59,7 +59,7 @@ class FromCommand final : public ForeignMethod<ElementMethod, Prepared> {
     const CommandRun run = run_foreign_command(this->source(), prepared.scene.file, scratch);
     report.seconds = run.seconds;
     try {
-      return match_foreign_matrix(read_foreign_matrix(run.output), elements_of(prepared, Granularity::kElement),
+      return match_foreign_matrix(read_foreign_matrix(run.output), prepared.elements(Granularity::kElement)->elements(),
                                   report);
     } catch (const InputError& error) {
       throw RequestError("what the command " + quoted_name(this->source()) + " wrote cannot be used: " + error.what());

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/visibility/rounded_polygon.h"
 #include "python/bindings/arrays.h"
 

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/exchange/exchange_sums.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/scene/moving_lights.h"
 #include "kernel/support/counted.h"
 #include "solver/plan_draft.h"
@@ -29,7 +30,7 @@ constexpr std::uint64_t kSample = 64;
 
 Plan plan_scene(const PreparedScene2& prepared, const PlanRequest& request) {
   const Scene2& scene = prepared.scene;
-  const ElementTable2 table(scene, prepared.arrangement, prepared.division, Granularity::kElement);
+  const ElementTable2& table = *prepared.elements(Granularity::kElement);
   double n = 0;
   for (std::uint32_t label = 0; label < table.count(); ++label) n += table.has_row(label);
   const auto vertices = static_cast<double>(prepared.arrangement.vertices().size());

@@ -1,7 +1,7 @@
 // The plan of a scene in the plane.
 #pragma once
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/plan.h"
 
 namespace hottel {

@@ -9,9 +9,10 @@
 #include "geometry/sky_by_closure.h"
 #include "geometry/space/arrangement/arrangement.h"
 #include "geometry/space/arrangement/nothing_between.h"
-#include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/facing.h"
-#include "geometry/space/exchange/pair_measure.h"
+#include "geometry/space/pairs/pair_measure.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/division.h"
 #include "geometry/space/scene/moving_lights.h"
 #include "kernel/support/counted.h"
@@ -37,8 +38,9 @@ constexpr std::size_t kMostLookedAt = 2000, kMostAsked = 200, kMostUnderSky = 24
 // The faces of a scene, and how many elements each is divided into.
 class Faces {
  public:
-  Faces(const Scene3& scene, const Arrangement3& arrangement, const Blockers3& blockers)
-      : blockers_(blockers), table_(scene, arrangement, blockers, Granularity::kFace) {
+  explicit Faces(const PreparedScene3& prepared)
+      : blockers_(prepared.blockers()), table_(*prepared.elements(Granularity::kFace)) {
+    const Scene3& scene = prepared.scene;
     for (const Element& face : table_.elements()) {
       const Surface& surface = scene.surfaces[face.surface];
       const std::uint64_t leaves = surface.trees.of(face.is_back).size();
@@ -79,7 +81,7 @@ class Faces {
   }
 
   const Blockers3& blockers_;
-  ElementTable3 table_;
+  const ElementTable3& table_;
   std::vector<double> parts_;  // elements by face
   std::uint64_t rows_ = 0;
 };
@@ -89,8 +91,7 @@ class Hiding {
  public:
   explicit Hiding(const PreparedScene3& prepared)
       : prepared_(prepared),
-        table_(prepared.scene, prepared.arrangement(), prepared.blockers(),
-               is_divided(prepared.scene) ? Granularity::kElement : Granularity::kFace) {
+        table_(*prepared.elements(is_divided(prepared.scene) ? Granularity::kElement : Granularity::kFace)) {
     for (std::uint32_t label = 0; label < table_.count(); ++label)
       if (!table_.parts(label).empty()) there_.push_back(label);
   }
@@ -134,7 +135,7 @@ class Hiding {
   }
 
   const PreparedScene3& prepared_;
-  ElementTable3 table_;
+  const ElementTable3& table_;
   std::vector<std::uint32_t> there_;  // labels that have an area
 };
 
@@ -174,7 +175,7 @@ Plan plan_scene(const PreparedScene3& prepared, const PlanRequest& request, SkyB
   const Scene3& scene = prepared.scene;
   const Arrangement3& arrangement = prepared.arrangement();
   const Blockers3& blockers = prepared.blockers();
-  const Faces faces(scene, arrangement, blockers);
+  const Faces faces(prepared);
   const bool is_plain = arrangement.is_plain(), is_empty = scene.surfaces.empty();
   const bool is_room = is_plain && is_convex_room(scene, blockers);
   const bool hides = !is_room && !(is_plain && faces_nothing(scene, blockers));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/exchange_request.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "solver/plan.h"
 
 namespace hottel {

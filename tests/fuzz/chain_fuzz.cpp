@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/light/illumination_grid.h"
@@ -144,7 +146,7 @@ void check_light(const PreparedScene2& prepared, const ExchangeMatrix& matrix) {
     require(element.lower >= 0 && element.radiosity >= element.emission, "a radiosity is below its emission");
     brightest = std::max(brightest, element.radiosity);
   }
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+  const ElementTable2& table = *prepared.elements(Granularity::kFace);
   const IlluminationGrid2 light =
       illuminate_points(prepared, grid_over(prepared.scene, 4, 4), table, sent_out_2(table, solution, prepared.scene));
   for (const double value : light.values)

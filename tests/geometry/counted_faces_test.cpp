@@ -8,17 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/exchange/pair_estimate.h"
 #include "geometry/plane/generate/generators.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/scene/division.h"
-#include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/exchange.h"
 #include "geometry/space/exchange/pair_estimate.h"
-#include "geometry/space/exchange/prepared_scene.h"
 #include "geometry/space/generate/generators.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/division.h"
 #include "io/scene/scene_json.h"
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "io/results/factor_files.h"
 #include "io/scene/scene_json.h"
 

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "tests/io/foreign_room.h"
 
 namespace hottel::foreign_command_test {

@@ -9,10 +9,10 @@
 #include <functional>
 #include <random>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/exchange/element_pieces.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/generate/generators.h"
+#include "geometry/plane/prepared/element_pieces.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "io/foreign/matched_matrix.h"
 #include "io/results/factor_files.h"
 #include "io/results/npy.h"

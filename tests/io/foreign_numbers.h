@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 
 namespace hottel {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "io/files/output_file.h"
 #include "io/foreign/foreign_command.h"
 #include "io/foreign/foreign_method.h"

@@ -8,6 +8,8 @@
 #include <functional>
 #include <sstream>
 
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
@@ -60,7 +62,7 @@ const Grid2 kOnEdges{{Rational(-1, 2), Rational(-1, 2)}, {Rational(9, 2), Ration
 
 TEST(LightMatrix, TimesTheRadiositiesIsTheLight) {
   const PreparedScene2 prepared = room();
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
+  const ElementTable2& table = *prepared.elements(Granularity::kElement);
   std::vector<double> by_element;
   for (std::uint32_t k = 0; k < 3 * table.count(); ++k) by_element.push_back(1 + k * 7 % 10);
   const SentOut2 sent_out(table, by_element, std::vector<double>{5, 0, 0.5});
@@ -93,7 +95,7 @@ TEST(LightMatrix, TimesTheRadiositiesIsTheLight) {
 TEST(LightMatrix, HasEachEntryOnceByRowThenByColumn) {
   const PreparedScene2 prepared = room();
   for (const Granularity granularity : {Granularity::kFace, Granularity::kElement}) {
-    const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, granularity);
+    const ElementTable2& table = *prepared.elements(granularity);
     const Written written = read(text_of({prepared, kCells, table, 1 << 30}));
     EXPECT_EQ(written.comments.front(), "%%MatrixMarket matrix coordinate real general");
     EXPECT_TRUE(std::ranges::is_sorted(written.places, std::less_equal<>()));
@@ -103,7 +105,7 @@ TEST(LightMatrix, HasEachEntryOnceByRowThenByColumn) {
 
 TEST(LightMatrix, HasTheSameBytesForAnyNumberOfThreads) {
   const PreparedScene2 prepared = room();
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
+  const ElementTable2& table = *prepared.elements(Granularity::kElement);
   const Grid2 cells{{-1, -1}, {5, 4}, 190, 150};
   const LightMatrix2 matrix{prepared, cells, table, 1 << 30};
   const std::string once = text_of(matrix);
@@ -117,7 +119,7 @@ TEST(LightMatrix, HasTheSameBytesForAnyNumberOfThreads) {
 
 TEST(LightMatrix, IsRefusedWhenRowsTakeMoreMemoryThanIsAllowed) {
   const PreparedScene2 prepared = room();
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
+  const ElementTable2& table = *prepared.elements(Granularity::kElement);
   EXPECT_THROW(text_of({prepared, kCells, table, 10000}), RequestError);
   EXPECT_NO_THROW(text_of({prepared, kCells, table, 1000000}));
 }

@@ -105,17 +105,22 @@ TEST(Layers, NothingIncludesUpwardsAndNoHeaderBringsCgal) {
 }
 
 // The way of a coordinate through a slice of the geometry, from the signs it decides to the factors that are printed.
-constexpr std::array<const char*, 7> kStages{"predicates", "scene",    "arrangement", "contacts",
-                                             "visibility", "exchange", "check"};
+const std::map<std::string, std::vector<std::string>> kStages{
+    {"plane", {"predicates", "scene", "arrangement", "prepared", "visibility", "exchange", "check"}},
+    {"space",
+     {"predicates", "scene", "arrangement", "contacts", "visibility", "hiding", "vectors", "between", "stretches",
+      "moving", "pieces", "integrals", "unobstructed", "sky", "pairs", "prepared", "exchange", "check"}}};
 
-// The stage of a file of a slice; that of what stands beside the stages, or makes scenes up, is none.
+// The stage of a file of a slice; that of what makes scenes up is none.
 std::optional<std::size_t> stage_of(const fs::path& path) {
   std::vector<std::string> parts;
   for (const fs::path& part : path) parts.push_back(part.string());
   if (parts.size() < 4 || parts[0] != "geometry" || slice_of(path).empty()) return std::nullopt;
-  const auto stage = std::find(kStages.begin(), kStages.end(), parts[2]);
-  if (stage == kStages.end()) return std::nullopt;
-  return static_cast<std::size_t>(stage - kStages.begin());
+  const std::vector<std::string>& stages = kStages.at(parts[1]);
+  const auto stage = std::find(stages.begin(), stages.end(), parts[2]);
+  EXPECT_TRUE(stage != stages.end() || parts[2] == "generate") << path << " stands in no stage";
+  if (stage == stages.end()) return std::nullopt;
+  return static_cast<std::size_t>(stage - stages.begin());
 }
 
 TEST(Layers, ACoordinateGoesOneWay) {

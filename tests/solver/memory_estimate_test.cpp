@@ -11,11 +11,11 @@
 #include "benchmarks/peak_memory.h"
 #include "geometry/plane/generate/generators.h"
 #include "geometry/plane/scene/division.h"
-#include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/exchange_memory.h"
-#include "geometry/space/exchange/pair_measure.h"
-#include "geometry/space/exchange/prepared_scene.h"
 #include "geometry/space/generate/generators.h"
+#include "geometry/space/pairs/pair_measure.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/division.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
@@ -165,7 +165,7 @@ TEST(MemoryEstimate, IsWhatTheResidentSetGrowsByInSpace) {
 TEST(BytesPerThread, HoldWhereTrianglesPierceEachOther) {
   if (kHasAddressSanitizer || kHasThreadSanitizer) GTEST_SKIP() << "memory is that of the sanitizer";
   const PreparedScene3 prepared = prepare(generate_3({.kind = "triangle-soup", .n = 40, .seed = 1}));
-  const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), Granularity::kFace);
+  const ElementTable3& table = *prepared.elements(Granularity::kFace);
   const Patch3 &floor = table.parts()[6].patch, &wall = table.parts()[8].patch;
   const benchmarks::PeakMemory memory;
   EXPECT_GT(prepared.measurer().measure(floor, wall).pieces, 5000u);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/plane/arrangement/free_regions.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 
 namespace hottel {
 

@@ -6,8 +6,8 @@
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/plane/arrangement/free_regions.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/check/finding.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 
 namespace hottel {
 

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "geometry/name.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/check/contacts.h"
 #include "geometry/plane/check/wording.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 
 namespace hottel {
 namespace {

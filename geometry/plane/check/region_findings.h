@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "geometry/plane/arrangement/free_regions.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/check/finding.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 
 namespace hottel {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "geometry/exchange_matrix.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/check/finding.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 
 namespace hottel {
 

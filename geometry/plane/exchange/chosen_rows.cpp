@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "geometry/plane/exchange/convex_sums.h"
-#include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/exchange/exchange_sums.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/parallel.h"
 
 namespace hottel {

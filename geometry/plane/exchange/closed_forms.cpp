@@ -4,6 +4,8 @@
 
 #include "geometry/plane/exchange/exact_sums.h"
 #include "geometry/plane/exchange/pair_alone.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -21,13 +23,11 @@ std::vector<RootSum> scaled_sums(const PreparedScene2& prepared, const ElementTa
 
 std::vector<RootSum> exact_exchange_measures(const PreparedScene2& prepared, Granularity granularity,
                                              const std::vector<ElementPair>& pairs) {
-  return scaled_sums(prepared, ElementTable2(prepared.scene, prepared.arrangement, prepared.division, granularity),
-                     pairs);
+  return scaled_sums(prepared, *prepared.elements(granularity), pairs);
 }
 
 ExactPair2 exact_pair(const PreparedScene2& prepared, Granularity granularity, std::uint32_t from, std::uint32_t to) {
-  return exact_pair(prepared, ElementTable2(prepared.scene, prepared.arrangement, prepared.division, granularity),
-                    granularity, from, to);
+  return exact_pair(prepared, *prepared.elements(granularity), granularity, from, to);
 }
 
 ExactPair2 exact_pair(const PreparedScene2& prepared, const ElementTable2& table, Granularity granularity,
@@ -47,7 +47,7 @@ ExactPair2 exact_pair(const PreparedScene2& prepared, const ElementTable2& table
 }
 
 std::vector<RootSum> exact_areas(const PreparedScene2& prepared, Granularity granularity) {
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, granularity);
+  const ElementTable2& table = *prepared.elements(granularity);
   const Vertices2& vertices = prepared.arrangement.vertices();
   std::vector<RootSum> areas;
   for (std::uint32_t label = 0; label < table.count(); ++label)
@@ -56,7 +56,7 @@ std::vector<RootSum> exact_areas(const PreparedScene2& prepared, Granularity gra
 }
 
 ExactPair2 exact_pair(const PreparedScene2& prepared, const std::optional<Face>& a, const std::optional<Face>& b) {
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+  const ElementTable2& table = *prepared.elements(Granularity::kFace);
   const auto label_of = [&](const std::optional<Face>& face) {
     if (!face) return table.sky();
     HOTTEL_REQUIRE(face->surface < prepared.scene.surfaces.size());

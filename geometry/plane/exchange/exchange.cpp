@@ -10,6 +10,8 @@
 #include "geometry/plane/exchange/pair_alone.h"
 #include "geometry/plane/exchange/pair_rounding.h"
 #include "geometry/plane/exchange/pair_sums.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 #include "kernel/support/stopwatch.h"
@@ -18,13 +20,14 @@ namespace hottel {
 namespace {
 
 // The elements, with the rows that are asked for.
-ElementTable2 table_of(const PreparedScene2& prepared, const ExchangeRequest& request) {
-  ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, request.granularity);
-  if (request.rows.is_all()) return table;
+std::shared_ptr<const ElementTable2> table_of(const PreparedScene2& prepared, const ExchangeRequest& request) {
+  std::shared_ptr<const ElementTable2> all = prepared.elements(request.granularity);
+  if (request.rows.is_all()) return all;
+  ElementTable2 table = *all;
   std::vector<bool> is_chosen(table.count());
   for (const std::uint32_t label : request.rows.labels(table.elements())) is_chosen[label] = true;
   table.keep_rows(is_chosen);
-  return table;
+  return std::make_shared<const ElementTable2>(std::move(table));
 }
 
 std::uint64_t count_all_pairs(const ElementTable2& table) {
@@ -153,7 +156,8 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeRequ
   ExchangeReport ignored;
   ExchangeReport& r = report != nullptr ? *report : ignored;
   const Arrangement2& arrangement = prepared.arrangement;
-  const ElementTable2 table = table_of(prepared, request);
+  const std::shared_ptr<const ElementTable2> with_rows = table_of(prepared, request);
+  const ElementTable2& table = *with_rows;
   r.seconds["prepare"] = prepared.seconds;
   r.seconds["label"] = watch.lap();
 
@@ -217,7 +221,7 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeRequ
 
 std::vector<ElementPair> hidden_pairs(const PreparedScene2& prepared, Granularity granularity,
                                       const ExchangeMatrix& matrix) {
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, granularity);
+  const ElementTable2& table = *prepared.elements(granularity);
   const PairsAlone2 alone(prepared, table, granularity);
   std::vector<ElementPair> result;
   for (std::uint32_t i = 0; i < table.count(); ++i) {

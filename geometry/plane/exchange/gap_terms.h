@@ -1,7 +1,7 @@
 // What one gap adds to the exchange measures: the sum rule of docs/design/plane/exchange.md, in one place.
 #pragma once
 
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
 #include "geometry/plane/visibility/visible_lines.h"
 
 namespace hottel {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/root_sum.h"
 #include "kernel/rounding.h"
 

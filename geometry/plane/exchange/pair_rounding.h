@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "geometry/exchange_request.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "geometry/plane/exchange/pair_alone.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/rounding.h"
 
 namespace hottel {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/exchange/term_sums.h"
+#include "geometry/plane/prepared/element_table.h"
 
 namespace hottel {
 

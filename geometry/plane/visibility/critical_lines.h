@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/visibility/visible_lines.h"
 
 namespace hottel {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/visibility/visible_lines.h"
 #include "kernel/support/failure.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/face.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 
 namespace hottel {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "geometry/plane/visibility/solid_around.h"
 #include "geometry/plane/visibility/view.h"

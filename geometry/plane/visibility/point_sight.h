@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/visibility/visibility_polygon.h"
 #include "geometry/scene_names.h"
 

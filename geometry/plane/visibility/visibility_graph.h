@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 
 namespace hottel {
 

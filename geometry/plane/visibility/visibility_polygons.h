@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/visibility/corner_rounding.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "geometry/plane/visibility/polygons_of_points.h"

@@ -5,12 +5,14 @@
 
 #include "geometry/closed_promise.h"
 #include "geometry/space/exchange/pair_sums.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 
 namespace hottel {
 
 void require_closed(const PreparedScene3& prepared) {
   if (!prepared.scene.closed) return;
-  const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), Granularity::kFace);
+  const ElementTable3& table = *prepared.elements(Granularity::kFace);
   std::vector<char> is_now(table.count() + std::size_t{1}, 0);
   const std::vector<char> was_before = is_now;
   is_now[table.sky()] = 1;  // pairs with the sky alone

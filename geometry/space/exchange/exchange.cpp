@@ -4,12 +4,12 @@
 
 #include <string>
 
-#include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/exchange_rows.h"
 #include "geometry/space/exchange/facing.h"
 #include "geometry/space/exchange/groups_alone.h"
 #include "geometry/space/exchange/pair_names.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "kernel/rational.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
@@ -26,7 +26,7 @@ ExchangeMatrix exact_exchange(const PreparedScene3& prepared, const ExchangeRequ
 std::vector<ElementPair> hidden_pairs(const PreparedScene3& prepared, Granularity granularity,
                                       const ExchangeMatrix& matrix) {
   const DefaultFloatingPoint arithmetic;
-  const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), granularity);
+  const ElementTable3& table = *prepared.elements(granularity);
   const GroupsAlone3 groups(prepared, table, ExchangeRequest().tolerance);
   const auto is_positive = [&](std::uint32_t i, std::uint32_t j) {
     if (table.parts(i).empty() || table.parts(j).empty()) return false;

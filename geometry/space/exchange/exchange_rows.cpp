@@ -10,14 +10,14 @@
 #include <utility>
 
 #include "geometry/space/contacts/near_contacts.h"
-#include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/exchange_memory.h"
 #include "geometry/space/exchange/groups_alone.h"
-#include "geometry/space/exchange/local_vector.h"
 #include "geometry/space/exchange/pair_names.h"
 #include "geometry/space/exchange/pair_sums.h"
-#include "geometry/space/exchange/prepared_scene.h"
 #include "geometry/space/exchange/rest_for_sky.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
+#include "geometry/space/vectors/local_vector.h"
 #include "geometry/unit_of_length.h"
 #include "geometry/unmeasured_pairs.h"
 #include "kernel/support/failure.h"
@@ -223,7 +223,7 @@ ExchangeRows3::ExchangeRows3(const PreparedScene3& prepared, const ExchangeReque
     : prepared_(prepared),
       request_(request),
       most_(most_pairs(element_counts(prepared.scene, request.granularity).all, request.memory)),
-      table_(prepared.scene, prepared.arrangement(), prepared.blockers(), request.granularity),
+      table_(*prepared.elements(request.granularity)),
       is_chosen_(table_.count() + std::size_t{1}, 0),
       has_come_(is_chosen_),
       checks_(request.sky == SkyBy::kClosure ? checks_of_sky(table_) : std::vector<char>()) {

@@ -12,10 +12,10 @@
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/exchange_request.h"
-#include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/exchange_report.h"
 #include "geometry/space/exchange/pair_sum.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 
 namespace hottel {
 
@@ -80,7 +80,7 @@ class ExchangeRows3 {
   const PreparedScene3& prepared_;
   const ExchangeRequest request_;
   const std::uint64_t most_;  // pairs
-  ElementTable3 table_;
+  const ElementTable3& table_;
   ExchangeReport3 report_;
   std::vector<char> is_chosen_;  // by element, the sky last: whose rows are asked for
   std::vector<char> has_come_;   // the same

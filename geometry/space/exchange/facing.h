@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/space/arrangement/blockers.h"
-#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/prepared/element_table.h"
 
 namespace hottel {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/pair_shares.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 
 namespace hottel {
 

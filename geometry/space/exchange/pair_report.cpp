@@ -8,10 +8,11 @@
 
 #include "geometry/name.h"
 #include "geometry/scene_names.h"
-#include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/groups_alone.h"
 #include "geometry/space/exchange/pair_shares.h"
-#include "geometry/space/exchange/unobstructed.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
+#include "geometry/space/unobstructed/unobstructed.h"
 #include "geometry/unit_of_length.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
@@ -46,7 +47,7 @@ class Reporter {
   Reporter(const PreparedScene3& prepared, const std::optional<Face>& from, const std::optional<Face>& to,
            double tolerance)
       : prepared_(prepared),
-        table_(prepared.scene, prepared.arrangement(), prepared.blockers(), Granularity::kFace),
+        table_(*prepared.elements(Granularity::kFace)),
         shares_(table_, prepared.blockers().vertices(), tolerance),
         from_(from),
         to_(to) {
@@ -265,7 +266,7 @@ class Reporter {
   }
 
   const PreparedScene3& prepared_;
-  const ElementTable3 table_;
+  const ElementTable3& table_;
   const PairShares3 shares_;
   const std::optional<Face> from_, to_;
   bool is_turned_ = false;          // pairs are measured from the face that comes first

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "geometry/face.h"
-#include "geometry/space/exchange/pair_details.h"
-#include "geometry/space/exchange/prepared_scene.h"
-#include "geometry/space/exchange/sight.h"
+#include "geometry/space/between/sight.h"
+#include "geometry/space/pairs/pair_details.h"
 #include "geometry/space/point.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "kernel/enclosure.h"
 
 namespace hottel {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "geometry/space/exchange/unobstructed.h"
+#include "geometry/space/unobstructed/unobstructed.h"
 
 namespace hottel {
 

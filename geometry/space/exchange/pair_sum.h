@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "geometry/pair_ranges.h"
-#include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/exchange_report.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "kernel/enclosure.h"
 
 namespace hottel {

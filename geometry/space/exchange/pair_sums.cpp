@@ -17,7 +17,7 @@
 #include "geometry/space/exchange/pair_handover.h"
 #include "geometry/space/exchange/pair_shares.h"
 #include "geometry/space/exchange/pair_tasks.h"
-#include "geometry/space/exchange/unobstructed.h"
+#include "geometry/space/unobstructed/unobstructed.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"

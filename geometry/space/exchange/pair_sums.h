@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
-#include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/exchange_report.h"
 #include "geometry/space/exchange/pair_sum.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 
 namespace hottel {
 

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/pair_sum.h"
+#include "geometry/space/prepared/element_table.h"
 
 namespace hottel {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "geometry/name.h"
-#include "geometry/space/exchange/local_vector.h"
+#include "geometry/space/vectors/local_vector.h"
 #include "kernel/rational.h"
 #include "kernel/support/failure.h"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "geometry/sky_by_closure.h"
-#include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/pair_sum.h"
+#include "geometry/space/prepared/element_table.h"
 
 namespace hottel {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <utility>
 
-#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/prepared/element_table.h"
 #include "geometry/space/scene/joined_outline.h"
 #include "geometry/space/scene/plane_frame.h"
 #include "kernel/written_double.h"

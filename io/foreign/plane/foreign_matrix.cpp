@@ -1,7 +1,7 @@
 #include "io/foreign/plane/foreign_matrix.h"
 
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "io/foreign/foreign_method.h"
 
 namespace hottel {

@@ -1,7 +1,7 @@
 #include "io/foreign/space/foreign_matrix.h"
 
-#include "geometry/space/exchange/element_table.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "io/foreign/foreign_method.h"
 
 namespace hottel {

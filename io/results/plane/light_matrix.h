@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <functional>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "io/results/factor_files.h"
 
 namespace hottel {

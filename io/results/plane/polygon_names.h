@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/visibility/polygons_of_points.h"
 
 namespace hottel {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "io/results/plane/polygon_writer.h"
 
 namespace hottel {

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "geometry/scene_names.h"
-#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/unit_of_length.h"
 #include "io/results/temperature_files.h"
 #include "kernel/rational.h"
@@ -203,7 +204,7 @@ class CellData {
 
 void write_radiosity_vtu(const PreparedScene3& prepared, Granularity granularity, const ExchangeMatrix& matrix,
                          const RadiositySolution& solution, const Sink& sink) {
-  const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), granularity);
+  const ElementTable3& table = *prepared.elements(granularity);
   const Cells cells = cells_of(table);
   write_shape(prepared.blockers().vertices(), cells, sink);
   sink("      <CellData Scalars=\"radiosity\">\n");

@@ -6,7 +6,7 @@
 
 #include "geometry/element.h"
 #include "geometry/exchange_matrix.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "solver/radiosity/radiosity_solution.h"
 
 namespace hottel {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/plane/compare/verdict.h"
 
 namespace hottel {

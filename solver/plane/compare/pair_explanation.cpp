@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "geometry/plane/exchange/unobstructed.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/scene/division.h"
 
 namespace hottel {
@@ -44,9 +46,7 @@ double angle(const Line& a, const Line& b) {
 }  // namespace
 
 PairExplainer2::PairExplainer2(const PreparedScene2& prepared, const ExchangeMatrix& exact)
-    : prepared_(prepared),
-      exact_(exact),
-      table_(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement) {}
+    : prepared_(prepared), exact_(exact), table_(*prepared.elements(Granularity::kElement)) {}
 
 std::optional<double> PairExplainer2::visibility(std::uint32_t from, std::uint32_t to) const {
   for (const FactorEntry& entry : exact_.row(from))

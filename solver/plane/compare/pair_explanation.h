@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "geometry/exchange_matrix.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/compare/explained_pair.h"
 
 namespace hottel {
@@ -33,7 +33,7 @@ class PairExplainer2 {
 
   const PreparedScene2& prepared_;
   const ExchangeMatrix& exact_;
-  ElementTable2 table_;
+  const ElementTable2& table_;
 };
 
 }  // namespace hottel

@@ -5,9 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/exchange/pair_alone.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 #include "solver/compare/approximate_factors.h"
@@ -28,7 +29,7 @@ class JudgedScene2 final : public JudgedScene {
   }
 
   std::vector<double> unobstructed_factors(const JudgedPairs& judged) const override {
-    const ElementTable2 table(prepared_.scene, prepared_.arrangement, prepared_.division, Granularity::kElement);
+    const ElementTable2& table = *prepared_.elements(Granularity::kElement);
     const PairsAlone2 alone(prepared_, table, Granularity::kElement);
     std::vector<double> result(judged.pairs().size(), 0);
     parallel_for(

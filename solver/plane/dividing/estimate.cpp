@@ -4,8 +4,9 @@
 #include <utility>
 
 #include "geometry/plane/exchange/chosen_rows.h"
-#include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/exchange/exchange_sums.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/dividing/cut_elements.h"
@@ -28,7 +29,7 @@ std::vector<std::vector<PartSight>> sights_of(const DividingRequest2& request,
   const auto& [scene, matrix, solution, lights] = request.solved;
   const PreparedScene2 cut = prepare_divided(
       request.whole, with_trees(request.whole.scene, trees_with_parts(scene, matrix.elements(), samples, halves_of)));
-  ElementTable2 table(cut.scene, cut.arrangement, cut.division, Granularity::kElement);
+  ElementTable2 table = *cut.elements(Granularity::kElement);
   const std::vector<std::uint32_t> around = elements_around(table.elements(), matrix.elements());
   constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> sample_of(matrix.size(), kNone);

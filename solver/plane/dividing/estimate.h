@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/dividing/dividing_estimate.h"
 #include "solver/radiosity/light_test.h"
 

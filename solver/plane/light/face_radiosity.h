@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/plane/arrangement/arrangement.h"
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
 
 namespace hottel {
 

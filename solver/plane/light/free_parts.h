@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 
 namespace hottel {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/plane/light/light_rows.h"
 #include "solver/plane/light/light_values.h"
 #include "solver/plane/light/lit_region.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/plane/light/light_row.h"
 
 namespace hottel {

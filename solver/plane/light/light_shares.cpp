@@ -1,6 +1,7 @@
 #include "solver/plane/light/light_shares.h"
 
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/scene/moving_lights.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "geometry/plane/visibility/solid_around.h"
@@ -75,7 +76,7 @@ std::vector<LightShares> light_shares(const PreparedScene2& prepared, Granularit
   std::vector<LightShares> result;
   const Scene2& scene = prepared.scene;
   if (scene.lights.empty()) return result;
-  const ElementTable2 table(scene, prepared.arrangement, prepared.division, granularity);
+  const ElementTable2& table = *prepared.elements(granularity);
   const PointLocation2 location(prepared.arrangement.vertices(), prepared.arrangement.triangulation());
   for (std::size_t k = 0; k < scene.lights.size(); ++k)
     result.push_back(naming_file(scene.file, [&] {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/element.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/radiosity/direct_light.h"
 
 namespace hottel {

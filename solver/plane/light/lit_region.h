@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/light.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "geometry/plane/visibility/sun_view.h"
 #include "geometry/plane/visibility/view.h"

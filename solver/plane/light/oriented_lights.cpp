@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -100,7 +102,7 @@ void OrientedLights2::see(const Eye2& eye, const View2& view, const std::array<d
 
 std::vector<OrientedLight> lights_around_cells(const PreparedScene2& prepared, const IlluminationGrid2& light,
                                                const std::function<void(double)>& progress) {
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+  const ElementTable2& table = *prepared.elements(Granularity::kFace);
   const std::vector<double> dark(table.count(), 0.0), bright{1.0};  // faces, and the sky
   const IlluminationGrid2 sky = illuminate_points(prepared, light.grid, table, SentOut2(table, dark, bright), progress);
   std::vector<OrientedLight> result;

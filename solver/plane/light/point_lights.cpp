@@ -2,14 +2,15 @@
 
 #include <utility>
 
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/plane/light/mean_irradiance.h"
 
 namespace hottel {
 
 PointLights2::PointLights2(std::shared_ptr<const PreparedScene2> prepared, Granularity granularity,
                            const RadiositySolution& solution)
-    : PointLights2(prepared, ElementTable2(prepared->scene, prepared->arrangement, prepared->division, granularity),
-                   solution) {}
+    : PointLights2(prepared, *prepared->elements(granularity), solution) {}
 
 PointLights2::PointLights2(std::shared_ptr<const PreparedScene2> prepared, const ElementTable2& table,
                            const RadiositySolution& solution)

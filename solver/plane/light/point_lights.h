@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "solver/plane/light/light_columns.h"
 #include "solver/plane/light/lit_region.h"

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
 #include "solver/plane/light/light_row.h"
 #include "solver/radiosity/radiosity.h"
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/light/average_illumination.h"
 #include "solver/plane/light/free_parts.h"
@@ -33,7 +35,7 @@ SolvedLight2 illuminate(LightKind2 kind, const PreparedScene2& prepared, const G
   const auto channels = static_cast<std::uint32_t>(solution.channels.size());
   const std::vector<double> by_element = radiosity_by_element_2(solution);
   std::vector<double> sky = sky_by_channel_2(prepared.scene.sky_emission, channels);
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, granularity);
+  const ElementTable2& table = *prepared.elements(granularity);
   if (kind == LightKind2::kInverseSquare)
     return {illuminate_inverse_square(prepared, grid, table, by_element, channels, progress)};
   if (kind == LightKind2::kPoint)

@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include "geometry/name.h"
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/scene/moving_lights.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "geometry/unit_of_length.h"
@@ -98,7 +99,7 @@ std::vector<LightShares> light_shares(const PreparedScene2& prepared, Granularit
   std::vector<LightShares> result = light_shares(prepared, granularity);
   const Scene2& scene = prepared.scene;
   if (test == LightTest::kExact || scene.lights.empty()) return result;
-  const ElementTable2 table(scene, prepared.arrangement, prepared.division, granularity);
+  const ElementTable2& table = *prepared.elements(granularity);
   const PointLocation2 location(prepared.arrangement.vertices(), prepared.arrangement.triangulation());
   for (std::size_t k = 0; k < result.size(); ++k) {
     result[k].test = test;

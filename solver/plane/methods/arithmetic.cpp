@@ -11,6 +11,8 @@
 
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/exchange/exchange_sums.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/plane/methods/arithmetic_cgal.h"
@@ -24,10 +26,6 @@ namespace {
 constexpr double kHalfUlp = 0x1p-53;
 constexpr double kConversion = 0x1p12;  // more than the error of a fixed-point number below 2^63 in doubles
 constexpr std::array<const char*, 5> kNames{"naive", "doubles", "bounds", "rounded", "cgal"};
-
-ElementTable2 table_of(const PreparedScene2& prepared) {
-  return ElementTable2(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
-}
 
 // Vertices by exact signs and rounded lengths.
 class FilteredPoints {
@@ -51,7 +49,7 @@ ExchangeMatrix naive_exchange(const PreparedScene2& prepared, const std::functio
   const std::uint64_t limit = naive_step_limit(arrangement.triangulation());
   std::atomic<std::uint64_t> cut_off = 0;
   Stopwatch watch;
-  const ElementTable2 table = table_of(prepared);
+  const ElementTable2& table = *prepared.elements(Granularity::kElement);
   const PlainSums2 sums =
       plain_sums(arrangement, table, progress, [&](VertexId) { return StepLimit2(points, limit, cut_off); });
   ExchangeMatrix matrix = plain_matrix(table, sums, plain_lengths(arrangement, table, points));
@@ -65,7 +63,7 @@ ExchangeMatrix naive_exchange(const PreparedScene2& prepared, const std::functio
 
 ExchangeMatrix filtered_exchange(const PreparedScene2& prepared, const std::function<void(double)>& progress) {
   const FilteredPoints points(prepared.arrangement.vertices());
-  const ElementTable2 table = table_of(prepared);
+  const ElementTable2& table = *prepared.elements(Granularity::kElement);
   const PlainSums2 sums =
       plain_sums(prepared.arrangement, table, progress, [&](VertexId) -> const FilteredPoints& { return points; });
   return plain_matrix(table, sums, plain_lengths(prepared.arrangement, table, points));
@@ -73,7 +71,7 @@ ExchangeMatrix filtered_exchange(const PreparedScene2& prepared, const std::func
 
 ExchangeMatrix cgal_exchange(const PreparedScene2& prepared, const std::function<void(double)>& progress,
                              MethodReport& report) {
-  const ElementTable2 table = table_of(prepared);
+  const ElementTable2& table = *prepared.elements(Granularity::kElement);
   const CgalExchange2 exchange = cgal_exchange(prepared.arrangement, table, progress);
   Stopwatch watch;
   ExchangeMatrix matrix = plain_matrix(table, exchange.sums, exchange.lengths);
@@ -116,7 +114,7 @@ FactorEntry entry_of(std::uint32_t to, double factor) {
 
 ExchangeMatrix enclosed_exchange(const PreparedScene2& prepared, const std::function<void(double)>& progress,
                                  MethodReport& report) {
-  const ElementTable2 table = table_of(prepared);
+  const ElementTable2& table = *prepared.elements(Granularity::kElement);
   const double length_error = prepared.arrangement.vertices().length_error();
   SumCounts2 counts;
   const PairSums2 pairs =
@@ -231,7 +229,7 @@ class Arithmetic2 final : public ElementMethod2 {
 std::optional<double> Arithmetic2::declared_error(const PreparedScene2& prepared) const {
   if (arithmetic_ == ArithmeticKind2::kRounded) return 0;
   if (arithmetic_ == ArithmeticKind2::kNaive || arithmetic_ == ArithmeticKind2::kCgal) return std::nullopt;
-  const std::optional<SumScale> scale = scale_of(prepared, table_of(prepared));
+  const std::optional<SumScale> scale = scale_of(prepared, *prepared.elements(Granularity::kElement));
   if (!scale) return std::nullopt;
   // Both the sum and the length it is divided by; a factor is at most 1.
   const auto of_quotient = [](double rounding, double of_sum) {

@@ -4,9 +4,9 @@
 #include <limits>
 
 #include "geometry/exchange_matrix.h"
-#include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/exchange/gap_terms.h"
 #include "geometry/plane/exchange/term_sums.h"
+#include "geometry/plane/prepared/element_table.h"
 
 namespace hottel {
 

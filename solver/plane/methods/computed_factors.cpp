@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/exact_double.h"
 #include "kernel/int128.h"
 
@@ -73,15 +75,14 @@ LocalPoint2 ElementRun2::at(double t) const {
   return moved(to, (t - 1) * length * direction.x, (t - 1) * length * direction.y);
 }
 
-ElementGeometry2::ElementGeometry2(const PreparedScene2& prepared)
-    : table_(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement) {
+ElementGeometry2::ElementGeometry2(const PreparedScene2& prepared) : table_(prepared.elements(Granularity::kElement)) {
   const Vertices2& vertices = prepared.arrangement.vertices();
   unit_ = scaled_by_power_of_two(vertices.scale(), vertices.exponent());
   place_ = places_of(vertices);
   diagonal_ = diagonal_of(place_);
   begin_.push_back(0);
   for (std::uint32_t element = 0; element < count(); ++element) {
-    for (const Segment2& ends : table_.runs(element)) add_run(vertices, ends);
+    for (const Segment2& ends : table_->runs(element)) add_run(vertices, ends);
     double total = 0;
     for (std::size_t k = begin_.back(); k < runs_.size(); ++k) total += runs_[k].length;
     for (std::size_t k = begin_.back(); k < runs_.size(); ++k) runs_[k].share = runs_[k].length / total;

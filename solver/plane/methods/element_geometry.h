@@ -3,11 +3,12 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 
 namespace hottel {
 
@@ -44,7 +45,7 @@ struct ElementRun2 {
   LocalPoint2 at(double t) const;                                      // from + t (to - from)
 };
 
-// The elements of ElementTable2(scene, arrangement, division, Granularity::kElement) in a frame of their own:
+// The elements of a prepared scene, Granularity::kElement, in a frame of their own:
 // translated by the first vertex, exactly, and scaled by a power of two so that coordinates stay below 1. Factors do
 // not depend on scale, so methods need no other.
 //
@@ -60,14 +61,14 @@ class ElementGeometry2 {
  public:
   explicit ElementGeometry2(const PreparedScene2& prepared);
 
-  const ElementTable2& table() const { return table_; }
-  std::uint32_t count() const { return table_.count(); }
-  bool has_row(std::uint32_t element) const { return table_.has_row(element); }
+  const ElementTable2& table() const { return *table_; }
+  std::uint32_t count() const { return table_->count(); }
+  bool has_row(std::uint32_t element) const { return table_->has_row(element); }
   std::span<const ElementRun2> runs(std::uint32_t element) const {
     return {runs_.data() + begin_[element], runs_.data() + begin_[element + 1]};
   }
   // Whether no run of an element was left out.
-  bool is_whole(std::uint32_t element) const { return runs(element).size() == table_.runs(element).size(); }
+  bool is_whole(std::uint32_t element) const { return runs(element).size() == table_->runs(element).size(); }
   // The runs of all elements, one element after the other.
   std::span<const ElementRun2> all_runs() const { return runs_; }
   // The place of a run in all_runs(). REQUIRES a reference into it, not a copy.
@@ -81,7 +82,7 @@ class ElementGeometry2 {
  private:
   void add_run(const Vertices2& vertices, const Segment2& ends);
 
-  ElementTable2 table_;
+  std::shared_ptr<const ElementTable2> table_;
   Rational unit_ = 1;
   double diagonal_ = 0;
   std::vector<LocalPoint2> place_;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/methods/coarsened.h"
 
@@ -15,7 +15,8 @@ ExchangeMatrix ElementMethod2::compute(const PreparedScene2& prepared, const Exc
   ExchangeMatrix matrix = compute_elements(prepared, request.progress, report);
   const bool is_divided = is_cut(prepared.division);
   if (request.granularity == Granularity::kGroup || (request.granularity == Granularity::kFace && is_divided))
-    matrix = coarsened(matrix, prepared.scene, elements_of(prepare(prepared.scene, Divided2::kNo), request.granularity),
+    matrix = coarsened(matrix, prepared.scene,
+                       prepare(prepared.scene, Divided2::kNo).elements(request.granularity)->elements(),
                        request.granularity);
   const double seconds = watch.lap();
   ExchangeReport& counts = report.counts;

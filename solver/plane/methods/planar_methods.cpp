@@ -1,4 +1,5 @@
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/normalised_method.h"
 #include "solver/plane/methods/method_catalogue.h"
 

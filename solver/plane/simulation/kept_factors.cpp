@@ -4,10 +4,10 @@
 #include <optional>
 #include <utility>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/exchange/term_sums.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/kept_pairs.h"
@@ -27,8 +27,8 @@ bool is_exact(const ExchangeMethod2& method) { return method.info().guarantee ==
 std::vector<Element> rows_of(const PreparedScene2& prepared, Granularity granularity) {
   const bool is_divided = is_cut(prepared.division);
   return is_divided && granularity != Granularity::kElement
-             ? elements_of(prepare(prepared.scene, Divided2::kNo), granularity)
-             : elements_of(prepared, granularity);
+             ? prepare(prepared.scene, Divided2::kNo).elements(granularity)->elements()
+             : prepared.elements(granularity)->elements();
 }
 
 std::uint32_t what_of(const ExchangeMethod2& method, const ExchangeRequest& request) {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/term_sums.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/store.h"
 
 namespace hottel {

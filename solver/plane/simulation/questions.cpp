@@ -1,8 +1,8 @@
 #include "solver/plane/simulation/questions.h"
 
 #include "geometry/name.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "geometry/plane/visibility/visibility_polygon.h"
 #include "kernel/support/failure.h"
@@ -30,7 +30,7 @@ Rounded view_factor(const Simulation2& simulation, const std::string& from, cons
 
 ExactPair2 exact_pair(const Simulation2& simulation, const std::string& from, const std::string& to) {
   const auto prepared = simulation.prepared();
-  const ExchangeMatrix columns(elements_of(*prepared, simulation.granularity()), Guarantee::kExact);
+  const ExchangeMatrix columns(prepared->elements(simulation.granularity())->elements(), Guarantee::kExact);
   const std::uint32_t i = require_element(columns, from), j = require_element(columns, to);
   if (i == columns.sky()) throw UsageError("there is no pair from the sky; ask for the one to it");
   return exact_pair(*prepared, simulation.granularity(), i, j);

@@ -1,6 +1,6 @@
 #include "solver/plane/simulation/refined.h"
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/plane/light/refinement.h"
 
 namespace hottel {

@@ -11,6 +11,8 @@
 
 #include "geometry/closed_promise.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
 #include "kernel/support/naming_file.h"
@@ -328,21 +330,17 @@ DividingEstimate make_dividing(const DividingInput& input, const StageProgress& 
   });
 }
 
-ElementTable2 table_of(const PreparedScene2& prepared, Granularity granularity) {
-  return {prepared.scene, prepared.arrangement, prepared.division, granularity};
-}
-
 LightRows2 make_rows(const RowsInput& input, const StageProgress& progress) {
   const auto prepared = input.arrangement->get(progress);
   return naming_file(prepared->scene.file, [&] {
-    return LightRows2(*prepared, input.grid, table_of(*prepared, input.granularity), Blacks2::kLeftOut,
+    return LightRows2(*prepared, input.grid, *prepared->elements(input.granularity), Blacks2::kLeftOut,
                       memory_allowed(input.memory), telling("illumination", progress));
   });
 }
 
 IlluminationGrid2 light_of_rows(const LightRows2& rows, const LightInput& input, const PreparedScene2& prepared,
                                 const RadiositySolution& solution) {
-  const ElementTable2 table = table_of(prepared, input.granularity);
+  const ElementTable2& table = *prepared.elements(input.granularity);
   return with_lights(prepared, illuminate_points(rows, input.grid, sent_out_2(table, solution, prepared.scene)));
 }
 

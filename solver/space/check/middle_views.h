@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "geometry/exchange_matrix.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 
 namespace hottel {
 

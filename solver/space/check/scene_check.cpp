@@ -15,7 +15,7 @@
 #include "geometry/space/check/solid_findings.h"
 #include "geometry/space/check/wording.h"
 #include "geometry/space/contacts/near_contacts.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/unmeasured_pairs.h"
 #include "kernel/support/failure.h"
 #include "solver/check/dark_suns.h"

@@ -5,7 +5,7 @@
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/space/check/mesh_findings.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 
 namespace hottel {
 

@@ -1,7 +1,7 @@
 // Approximate methods beside the exact one, on one scene in space.
 #pragma once
 
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "solver/compare/method_comparison.h"
 #include "solver/space/methods/exchange_method.h"
 #include "solver/space/simulation/simulation.h"

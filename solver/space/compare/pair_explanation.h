@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/exchange_matrix.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "solver/compare/explained_pair.h"
 #include "solver/space/methods/element_geometry.h"
 

@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/exchange.h"
 #include "geometry/space/exchange/facing.h"
-#include "geometry/space/exchange/prepared_scene.h"
-#include "geometry/space/exchange/unobstructed.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
+#include "geometry/space/unobstructed/unobstructed.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 #include "solver/compare/approximate_factors.h"
@@ -31,7 +31,7 @@ class JudgedScene3 final : public JudgedScene {
   }
 
   std::vector<double> unobstructed_factors(const JudgedPairs& judged) const override {
-    const ElementTable3 table(prepared_.scene, prepared_.arrangement(), prepared_.blockers(), Granularity::kElement);
+    const ElementTable3& table = *prepared_.elements(Granularity::kElement);
     std::vector<double> result(judged.pairs().size(), 0);
     parallel_for(
         result.size(),

@@ -5,7 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/division.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
@@ -71,8 +72,8 @@ class Parts {
   Parts(const DividingRequest3& request, std::span<const SampledElement> samples)
       : request_(request),
         samples_(samples),
-        cut_(request.prepared),
-        table_(divided(), cut_.arrangement(), cut_.blockers(), Granularity::kElement),
+        cut_(request.prepared.under(divided())),
+        table_(*cut_.elements(Granularity::kElement)),
         around_(elements_around(table_.elements(), request.solved.matrix.elements())),
         direct_(cut_.scene, table_.elements(),
                 cut_.scene.lights.empty() ? std::vector<LightShares>()
@@ -117,13 +118,12 @@ class Parts {
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  const Scene3& divided() {
+  Scene3 divided() const {
     const auto& [scene, matrix, solution, lights] = request_.solved;
-    cut_.scene = with_trees(std::move(cut_.scene),
-                            trees_with_parts(scene, matrix.elements(), samples_, [this](const Element& element) {
-                              return parts_of(request_.prepared.scene, element);
-                            }));
-    return cut_.scene;
+    return with_trees(request_.prepared.scene,
+                      trees_with_parts(scene, matrix.elements(), samples_, [this](const Element& element) {
+                        return parts_of(request_.prepared.scene, element);
+                      }));
   }
 
   // What a part gathers where another element lies on it: all that this one sends out.
@@ -141,7 +141,7 @@ class Parts {
   const DividingRequest3& request_;
   std::span<const SampledElement> samples_;
   PreparedScene3 cut_;
-  ElementTable3 table_;
+  const ElementTable3& table_;
   std::vector<std::uint32_t> around_;  // of each part the element that it lies in
   DirectParts direct_;
 };

@@ -5,7 +5,7 @@
 #include <functional>
 #include <span>
 
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "solver/dividing/dividing_estimate.h"
 #include "solver/radiosity/light_test.h"
 

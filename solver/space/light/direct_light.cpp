@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/visibility/direction.h"
 
 namespace hottel {

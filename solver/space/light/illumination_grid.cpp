@@ -3,7 +3,7 @@
 #include <limits>
 #include <span>
 
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "kernel/support/parallel.h"
 #include "kernel/support/progress_count.h"
 #include "kernel/support/stopwatch.h"

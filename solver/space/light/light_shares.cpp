@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "geometry/space/exchange/element_table.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/visibility/exact_map.h"
 #include "geometry/unit_of_length.h"
 #include "kernel/support/parallel.h"

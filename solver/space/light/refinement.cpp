@@ -6,7 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/division.h"
 #include "geometry/space/visibility/exact_map.h"
 #include "kernel/support/parallel.h"
@@ -149,7 +150,8 @@ FaceLeaves divided(const FaceLeaves& face, const std::vector<char>& is_crossed, 
 // Divides what the borders of lights cross, once. Returns whether something is left that may have to be divided.
 bool divide_once(const PreparedScene3& prepared, Scene3& scene, const std::vector<LitPatches3>& lights, int deepest,
                  std::vector<FaceLeaves>& faces) {
-  const ElementTable3 table(scene, prepared.arrangement(), prepared.blockers(), Granularity::kElement);
+  const std::shared_ptr<const ElementTable3> its = prepared.under(scene).elements(Granularity::kElement);
+  const ElementTable3& table = *its;
   std::vector<std::uint32_t> first(faces.size(), table.count());  // label of each face
   for (std::uint32_t label = table.count(); label-- > 0;) {
     const Element& element = table.elements()[label];
@@ -207,8 +209,7 @@ std::vector<SurfaceTrees> refined_trees(const PreparedScene3& prepared, const Re
       lights.emplace_back(prepared, scene.lights[k], scene.light_places[k]);
   if (!lights.empty()) {
     std::vector<FaceLeaves> faces(2 * scene.surfaces.size());
-    const ElementTable3 table(scene, prepared.arrangement(), prepared.blockers(), Granularity::kElement);
-    for (const Element& element : table.elements())
+    for (const Element& element : prepared.under(scene).elements(Granularity::kElement)->elements())
       faces[Face{element.surface, element.is_back}.number()].add(element.node(), true);
     while (divide_once(prepared, scene, lights, levels.at_borders, faces)) {
     }

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "solver/refinement.h"
 
 namespace hottel {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/visibility/exact_map.h"
 #include "kernel/support/naming_file.h"
 #include "solver/space/light/light_shares.h"
@@ -52,9 +54,7 @@ std::vector<LightShares> light_shares(const PreparedScene3& prepared, Granularit
 }
 
 LitElements3::LitElements3(std::shared_ptr<const PreparedScene3> prepared, Granularity granularity)
-    : prepared_(std::move(prepared)),
-      table_(prepared_->scene, prepared_->arrangement(), prepared_->blockers(), granularity),
-      known_(std::make_unique<Known>()) {}
+    : prepared_(std::move(prepared)), table_(*prepared_->elements(granularity)), known_(std::make_unique<Known>()) {}
 
 std::vector<LightShares> LitElements3::shares(const Scene3& scene) const {
   std::vector<LightShares> result;

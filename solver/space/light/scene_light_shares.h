@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "geometry/element.h"
-#include "geometry/space/exchange/element_table.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/visibility/beam.h"
 #include "solver/radiosity/direct_light.h"
 
@@ -71,7 +71,7 @@ class LitElements3 {
   LightShares compute(const Scene3& scene, std::size_t light) const;
 
   std::shared_ptr<const PreparedScene3> prepared_;
-  ElementTable3 table_;
+  const ElementTable3& table_;  // of prepared_
   std::unique_ptr<Known> known_;
 };
 

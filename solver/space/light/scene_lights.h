@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "solver/space/light/direct_light.h"
 
 namespace hottel {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/visibility/convex_cut.h"
 #include "geometry/space/visibility/seen_faces.h"
 
@@ -30,7 +32,7 @@ std::vector<Direction3> part_toward(const std::vector<Direction3>& cone, const s
 
 SentOut3::SentOut3(const PreparedScene3& prepared, Granularity granularity, const RadiositySolution& solution)
     : prepared_(prepared),
-      table_(prepared.scene, prepared.arrangement(), prepared.blockers(), granularity),
+      table_(*prepared.elements(granularity)),
       solution_(solution),
       parts_(2 * prepared.blockers().size()) {
   for (const ElementTable3::Part& part : table_.parts()) {

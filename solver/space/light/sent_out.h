@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "geometry/element.h"
-#include "geometry/space/exchange/element_table.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/visibility/direction.h"
 #include "geometry/space/visibility/point_map.h"
 #include "solver/radiosity/radiosity_solution.h"
@@ -60,7 +60,7 @@ class SentOut3 {
                    const Measure& measure, std::span<double> result) const;
 
   const PreparedScene3& prepared_;
-  ElementTable3 table_;
+  const ElementTable3& table_;
   const RadiositySolution& solution_;
   std::vector<Side> parts_;  // by side of a piece
   std::vector<double> sky_;

@@ -4,7 +4,8 @@
 #include <utility>
 
 #include "geometry/name.h"
-#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/visibility/exact_map.h"
 #include "geometry/space/visibility/sight_finder.h"
 #include "geometry/unit_of_length.h"
@@ -125,7 +126,7 @@ std::vector<LightShares> light_shares(const PreparedScene3& prepared, Granularit
   std::vector<LightShares> result = light_shares(prepared, Granularity::kFace);  // what of them goes to the sky
   const Scene3& scene = prepared.scene;
   if (scene.lights.empty()) return result;
-  const ElementTable3 table(scene, prepared.arrangement(), prepared.blockers(), granularity);
+  const ElementTable3& table = *prepared.elements(granularity);
   for (std::size_t k = 0; k < result.size(); ++k) {
     result[k].test = test;
     naming_file(scene.file, [&] {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/element.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "solver/radiosity/direct_light.h"
 #include "solver/radiosity/light_test.h"
 

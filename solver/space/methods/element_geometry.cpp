@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
+
 namespace hottel {
 namespace {
 
@@ -34,25 +37,24 @@ std::vector<Vector3d> rounded_corners(const Vertices3& vertices, const Patch3& p
   return corners;
 }
 
-ElementGeometry3::ElementGeometry3(const PreparedScene3& prepared)
-    : table_(prepared.scene, prepared.arrangement(), prepared.blockers(), Granularity::kElement) {
+ElementGeometry3::ElementGeometry3(const PreparedScene3& prepared) : table_(prepared.elements(Granularity::kElement)) {
   const Vertices3& vertices = prepared.blockers().vertices();
-  for (std::uint32_t element = 0; element < table_.count(); ++element) {
+  for (std::uint32_t element = 0; element < table_->count(); ++element) {
     begin_.push_back(patches_.size());
-    for (const ElementTable3::Part& part : table_.free_parts(element)) {
+    for (const ElementTable3::Part& part : table_->free_parts(element)) {
       ElementPatch3 patch;
       patch.piece = part.patch.surface;
       patch.exact = &part.patch;
       patch.corners = rounded_corners(vertices, part.patch);
       measure(patch);
       if (!(patch.area > 0)) continue;
-      patch.share = patch.area / table_.extent(element).value;
+      patch.share = patch.area / table_->extent(element).value;
       patches_.push_back(std::move(patch));
     }
   }
   begin_.push_back(patches_.size());
-  contacts_.resize(table_.count());
-  for (const ElementTable3::Contact& contact : table_.contacts()) {
+  contacts_.resize(table_->count());
+  for (const ElementTable3::Contact& contact : table_->contacts()) {
     const double extent = contact.extent.value;
     contacts_[contact.mask].push_back({contact.base, extent / area(contact.mask)});
     contacts_[contact.base].push_back({contact.mask, extent / area(contact.base)});

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "geometry/space/exchange/element_table.h"
-#include "geometry/space/exchange/local_vector.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
+#include "geometry/space/vectors/local_vector.h"
 
 namespace hottel {
 
@@ -26,7 +27,7 @@ struct ElementPatch3 {
   double share = 1;         // of the area of its element
 };
 
-// The elements of ElementTable3(scene, Granularity::kElement) in the doubles of Vertices3 (integer form times
+// The elements of a prepared scene, Granularity::kElement, in the doubles of Vertices3 (integer form times
 // 2^-shift). Factors do not depend on scale, so methods need no other.
 //
 // An element may be several patches: where surfaces overlap, where it is not convex, where solids stand on it. A method
@@ -42,9 +43,9 @@ class ElementGeometry3 {
   ElementGeometry3(const ElementGeometry3&) = delete;  // patches point into the table
   ElementGeometry3& operator=(const ElementGeometry3&) = delete;
 
-  const ElementTable3& table() const { return table_; }
-  std::uint32_t count() const { return table_.count(); }
-  bool has_row(std::uint32_t element) const { return table_.has_row(element); }
+  const ElementTable3& table() const { return *table_; }
+  std::uint32_t count() const { return table_->count(); }
+  bool has_row(std::uint32_t element) const { return table_->has_row(element); }
   std::span<const ElementPatch3> patches(std::uint32_t element) const {
     return {patches_.data() + begin_[element], patches_.data() + begin_[element + 1]};
   }
@@ -52,7 +53,7 @@ class ElementGeometry3 {
   std::span<const ElementPatch3> all_patches() const { return patches_; }
   // The place of a patch in all_patches(). REQUIRES a reference into it, not a copy.
   std::size_t number_of(const ElementPatch3& patch) const { return static_cast<std::size_t>(&patch - patches_.data()); }
-  double area(std::uint32_t element) const { return table_.extent(element).value; }
+  double area(std::uint32_t element) const { return table_->extent(element).value; }
 
   // What a mask and its base exchange, which follows from their areas, whatever the method: F(mask, base) = 1 and
   // F(base, mask) by reciprocity, where the mask lies on one element. By ascending `to`.
@@ -65,7 +66,7 @@ class ElementGeometry3 {
   double share_of_patches(std::uint32_t element) const;
 
  private:
-  ElementTable3 table_;
+  std::shared_ptr<const ElementTable3> table_;
   std::vector<ElementPatch3> patches_;
   std::vector<std::size_t> begin_;
   std::vector<std::vector<Contact>> contacts_;  // by element

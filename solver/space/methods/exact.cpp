@@ -2,7 +2,7 @@
 // GUARANTEE: each entry says: enclosed where nothing stands between, else estimated within the tolerance.
 // REFERENCE: docs/design/space/pair_measure.md.
 #include "geometry/space/exchange/exchange.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "solver/space/methods/method_catalogue.h"
 

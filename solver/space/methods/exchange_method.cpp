@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "geometry/space/exchange/element_table.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/methods/coarsened.h"
 
@@ -15,7 +15,7 @@ ExchangeMatrix ElementMethod3::compute(const PreparedScene3& prepared, const Exc
   ExchangeMatrix matrix = compute_elements(prepared, request.progress, report);
   const bool is_divided = std::ranges::any_of(prepared.scene.surfaces, &Surface::is_divided);
   if (request.granularity == Granularity::kGroup || (request.granularity == Granularity::kFace && is_divided))
-    matrix = coarsened(matrix, prepared.scene, elements_of(prepared, request.granularity), request.granularity);
+    matrix = coarsened(matrix, prepared.scene, prepared.elements(request.granularity)->elements(), request.granularity);
   const double seconds = watch.lap();
   ExchangeReport& counts = report.counts;
   counts.surfaces = prepared.scene.surfaces.size();

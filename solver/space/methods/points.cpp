@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/space/exchange/face_patches.h"
+#include "geometry/space/prepared/face_patches.h"
 #include "geometry/space/visibility/convex_cut.h"
 #include "geometry/space/visibility/point_map.h"
 #include "solver/methods/factor_rows.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/space/arrangement/blockers.h"
-#include "geometry/space/exchange/local_vector.h"
+#include "geometry/space/vectors/local_vector.h"
 
 namespace hottel {
 

@@ -1,4 +1,5 @@
-#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "solver/normalised_method.h"
 #include "solver/space/methods/method_catalogue.h"
 

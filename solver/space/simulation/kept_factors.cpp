@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/kept_pairs.h"
@@ -83,7 +84,7 @@ StoreTable store_table_3(const ExchangeRows3& rows, const PreparedScene3& prepar
 StoreTable store_table_3(const ExchangeMethod3& method, const PreparedScene3& prepared,
                          const ExchangeRequest& request) {
   StoreTable table;
-  table.elements = element_ids(elements_of(prepared, request.granularity));
+  table.elements = element_ids(prepared.elements(request.granularity)->elements());
   table.about = prepared.scene.file + " by " + method.info().name;
   StoreKey key = key_of("by elements: " + method.info().name, prepared.scene, request);
   key.add_division(prepared.scene);
@@ -130,7 +131,7 @@ ComputedFactors3 kept_factors_3(FactorStore& store, const ExchangeMethod3& metho
                                 const ExchangeRequest& request, const std::function<ComputedFactors3()>& compute) {
   Stopwatch watch;
   const StoreTable table = store_table_3(method, prepared, request);
-  const std::vector<Element> elements = elements_of(prepared, request.granularity);
+  const std::vector<Element> elements = prepared.elements(request.granularity)->elements();
   const std::vector<KeptRows> kept = store.read(table, 0);
   PairRanges known(static_cast<std::uint32_t>(elements.size()));
   if (auto matrix = kept_matrix(kept, elements, Guarantee::kEstimated, 0, known)) {

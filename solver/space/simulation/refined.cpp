@@ -1,6 +1,6 @@
 #include "solver/space/simulation/refined.h"
 
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "solver/space/light/refinement.h"
 

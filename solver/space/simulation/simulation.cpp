@@ -112,11 +112,8 @@ StagePtr<PreparedScene3> prepared_stage(const ScenePtr& scene) {
 
 // The same arrangement under a scene with other materials.
 StagePtr<PreparedScene3> prepared_stage(const ScenePtr& scene, const StagePtr<PreparedScene3>& before) {
-  return std::make_shared<Stage<PreparedScene3>>("preparation", [scene, before](const StageProgress& progress) {
-    PreparedScene3 prepared = *before->get(progress);
-    prepared.scene = *scene;
-    return prepared;
-  });
+  return std::make_shared<Stage<PreparedScene3>>(
+      "preparation", [scene, before](const StageProgress& progress) { return before->get(progress)->under(*scene); });
 }
 
 // All of a scene that its arrangement, and factors, come from but for its materials.

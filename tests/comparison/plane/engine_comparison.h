@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
 #include "geometry/plane/scene/scene.h"
 #include "kernel/root_sum.h"
 #include "tests/comparison/plane/ownership.h"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/scene/scene.h"
 #include "tests/oracle/plane/split.h"
 

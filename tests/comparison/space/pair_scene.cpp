@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "geometry/space/arrangement/whole_patch.h"
-#include "geometry/space/exchange/unobstructed.h"
+#include "geometry/space/unobstructed/unobstructed.h"
 #include "tests/comparison/space/map_comparison.h"
 
 namespace hottel::oracle {

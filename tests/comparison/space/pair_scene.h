@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "geometry/space/exchange/pair_measure.h"
+#include "geometry/space/pairs/pair_measure.h"
 #include "tests/oracle/space/space_polygon.h"
 
 namespace hottel::oracle {

@@ -7,6 +7,8 @@
 #include "geometry/plane/exchange/convex_sums.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/exchange/exchange_sums.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 
 namespace hottel::convex_room_test {
 namespace {
@@ -85,7 +87,7 @@ TEST_P(ConvexRoom, RowsCancelToTheLastBit) {
     const PreparedScene2 prepared = prepare(convex_room(GetParam(), seed));
     ASSERT_TRUE(is_convex_room(prepared.scene)) << seed;
     for (const Granularity granularity : {Granularity::kFace, Granularity::kElement, Granularity::kGroup}) {
-      const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, granularity);
+      const ElementTable2& table = *prepared.elements(granularity);
       EXPECT_EQ(closure_defect(sum_convex_pairs(prepared.arrangement, table), table), 0) << seed;
     }
   }

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <ostream>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "tests/geometry/plane/degenerate_scenes.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 

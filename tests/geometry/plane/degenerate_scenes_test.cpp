@@ -11,6 +11,8 @@
 #include <set>
 
 #include "geometry/plane/exchange/gap_terms.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/visibility/visibility_polygon.h"
 #include "tests/comparison/plane/engine_comparison.h"
 #include "tests/geometry/plane/exchange_scenes.h"
@@ -113,7 +115,7 @@ TEST_P(DegenerateScenes, AgreeWithTheBruteForceInEveryPair) {
 // 2 S(i, j) as coefficients of the lengths of gaps, before gaps on one line or of one class of roots are put together.
 oracle::Measures coefficients_by_gap(const PreparedScene2& prepared) {
   const Vertices2& vertices = prepared.arrangement.vertices();
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+  const ElementTable2& table = *prepared.elements(Granularity::kFace);
   const auto label = [&](std::uint32_t i) { return i == table.sky() ? oracle::kInfinity : static_cast<int>(i); };
   oracle::Measures measures;
   View2 view;

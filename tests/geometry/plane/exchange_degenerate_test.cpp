@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/visibility/critical_points.h"
 #include "geometry/plane/visibility/visibility_polygon.h"
 #include "tests/geometry/plane/degenerate_scenes.h"

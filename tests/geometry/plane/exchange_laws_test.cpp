@@ -7,7 +7,7 @@
 #include <numeric>
 #include <random>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/scene_names.h"
 #include "kernel/support/parallel.h"
 #include "tests/geometry/plane/exchange_scenes.h"

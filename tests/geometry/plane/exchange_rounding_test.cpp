@@ -5,6 +5,8 @@
 
 #include "geometry/plane/exchange/pair_alone.h"
 #include "geometry/plane/generate/generators.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
 namespace hottel::exchange_rounding_test {
@@ -70,7 +72,7 @@ TEST(RoundingOfFactors2, OfUnobstructedPairsAreThoseOfTheExactSums) {
   for (const char* kind : {"clutter", "lattice", "comb", "plates"}) {
     const PreparedScene2 prepared = prepare(generate_2({.kind = kind, .n = 60, .seed = 2}), Divided2::kYes);
     const Vertices2& vertices = prepared.arrangement.vertices();
-    const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
+    const ElementTable2& table = *prepared.elements(Granularity::kElement);
     const PairsAlone2 alone(prepared, table, Granularity::kElement);
     for (std::uint32_t i = 0; i < table.count(); ++i)
       for (std::uint32_t j = 0; j < table.count() && table.has_row(i); ++j) {

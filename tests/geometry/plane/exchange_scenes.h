@@ -9,10 +9,10 @@
 #include <tuple>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/generate/generators.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/scene/scene.h"
 
 namespace hottel::testing_scenes {

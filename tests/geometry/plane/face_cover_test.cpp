@@ -11,7 +11,8 @@
 
 #include "geometry/plane/check/behind_remedies.h"
 #include "geometry/plane/check/contact_findings.h"
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
 namespace hottel::face_cover_test {
@@ -80,7 +81,7 @@ TEST(FaceCover2, AFaceHasAnAreaIffItHasOneInTheMatrix) {
     const auto scene = prepared(lattice_of_boxes(seed, 1));
     ASSERT_TRUE(scene);
     const FaceCover2 cover(scene->scene, scene->arrangement);
-    const ElementTable2 table(scene->scene, scene->arrangement, scene->division, Granularity::kFace);
+    const ElementTable2& table = *scene->elements(Granularity::kFace);
     for (const Element& element : table.elements()) {
       const std::uint32_t face = Face{element.surface, element.is_back}.number();
       EXPECT_EQ(cover.has_area[face] != 0, element.area.value > 0) << seed << " " << element.name;

@@ -7,8 +7,8 @@
 #include <random>
 #include <string>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
 namespace hottel::first_hit_test {
@@ -115,7 +115,7 @@ TEST(FirstHit2, DoesNotSlipThroughWhereTwoPiecesMeet) {
                                                     {"left", "-3", "2", "0", "4", 1, 1},
                                                     {"right", "0", "4", "3", "2", 2, 2}}));
   const FirstHit2 first_hit(prepared.arrangement);
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+  const ElementTable2& table = *prepared.elements(Granularity::kFace);
   for (const PieceSideId side : prepared.arrangement.sides()) {
     const PieceRay2 up{side, 0.5, 0, 1};
     if (!leaves_the_side(prepared.arrangement, up)) continue;

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/visibility/visibility_polygons.h"
 #include "io/scene/plane/map_reader.h"
 #include "kernel/support/failure.h"

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "geometry/plane/visibility/segment_visibility.h"
 #include "tests/geometry/plane/exchange_scenes.h"
@@ -72,7 +73,7 @@ TEST(NeighbouringDoublesOfVisibility, PointsOfTwoWallsSeeEachOtherIffTheTipIsNot
       const PreparedScene2 prepared =
           prepare(scene_of({line("p", {x, 0}, {x, 1}), line("blocker", grid.q, {2 * grid.q.x, -1}),
                             line("r", {grid.r.x, 2 * grid.r.y}, {grid.r.x, 0})}));
-      const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+      const ElementTable2& table = *prepared.elements(Granularity::kFace);
       const Segment2 from = table.runs(0).front(), to = table.runs(4).front();
       const SegmentVisibility2 visibility(prepared.arrangement);
       const RunPoint2 r(prepared.arrangement, to, Rational(1, 2));

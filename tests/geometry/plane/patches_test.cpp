@@ -13,8 +13,9 @@
 #include "geometry/plane/check/near_misses.h"
 #include "geometry/plane/check/repair.h"
 #include "geometry/plane/exchange/closed_forms.h"
-#include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/scene/scene_builder.h"
 #include "io/scene/scene_json.h"
 #include "solver/plane/simulation/simulation.h"
@@ -49,7 +50,7 @@ std::string room(const std::string& more = "") {
 // "NAME length^2" of all faces that have an area.
 std::vector<std::string> faces(const Scene2& scene) {
   const PreparedScene2 prepared = prepare(scene);
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+  const ElementTable2& table = *prepared.elements(Granularity::kFace);
   std::vector<std::string> names;
   for (std::uint32_t label = 0; label < table.count(); ++label)
     if (!table.runs(label).empty()) names.push_back(table.elements()[label].name);

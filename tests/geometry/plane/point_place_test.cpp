@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/scene/scene_builder.h"
 #include "geometry/plane/visibility/critical_points.h"
 #include "geometry/plane/visibility/point_sight.h"

@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 
@@ -42,7 +43,7 @@ const std::string kBoxOnFloor = polyline("box", "[2,0],[4,0],[4,2],[2,2]");
 // The names of all faces that have an area, in the order of the contract.
 std::vector<std::string> faces(const Scene2& scene) {
   const PreparedScene2 prepared = prepare(scene);
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+  const ElementTable2& table = *prepared.elements(Granularity::kFace);
   std::vector<std::string> names;
   for (std::uint32_t label = 0; label < table.count(); ++label)
     if (!table.runs(label).empty()) names.push_back(table.elements()[label].name);
@@ -179,7 +180,7 @@ TEST(Solids2, LeaveAShelfItsUnderside) {
   const std::string shelf = edge("shelf", "[6,3],[1,3]", R"(, "back": "b")");
   const std::string box = polyline("box", "[2,3],[4,3],[4,5],[2,5]");
   const PreparedScene2 prepared = prepare(scene(shelf, box));
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+  const ElementTable2& table = *prepared.elements(Granularity::kFace);
   EXPECT_EQ(table.elements()[0].area.value, 3);  // shelf
   EXPECT_EQ(table.elements()[1].area.value, 5);  // shelf:back
   EXPECT_TRUE(table.runs(2).empty());            // box[0]
@@ -195,7 +196,7 @@ TEST(Solids2, CoverBothFrontsWhereBoxesTouch) {
   const std::string left = polyline("left", "[0,0],[2,0],[2,2],[0,2]"),
                     right = polyline("right", "[2,0],[4,0],[4,3],[2,3]");
   const PreparedScene2 prepared = prepare(scene("", left + "," + right));
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+  const ElementTable2& table = *prepared.elements(Granularity::kFace);
   const auto area = [&](const std::string& name) {
     for (const Element& element : table.elements())
       if (element.name == name) return element.area.value;
@@ -212,7 +213,7 @@ TEST(Solids2, KeepTheFrontOfABuildingWhereFurnitureTouchesItsWallFromInside) {
                     room = polyline("room", "[0,1],[0,7],[7,7],[7,1]");
   const std::string cupboard = polyline("cupboard", "[0,2],[1,2],[1,4],[0,4]");
   const PreparedScene2 prepared = prepare(scene("", building + "," + room + "," + cupboard));
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+  const ElementTable2& table = *prepared.elements(Granularity::kFace);
   for (const Element& element : table.elements()) {
     if (element.name == "building[3]") {
       EXPECT_EQ(element.area.value, 8);

@@ -1,4 +1,4 @@
-#include "geometry/space/exchange/arc_lanes.h"
+#include "geometry/space/integrals/arc_lanes.h"
 
 #include <gtest/gtest.h>
 

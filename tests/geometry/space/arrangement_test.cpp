@@ -8,7 +8,7 @@
 #include <string>
 
 #include "geometry/space/exchange/exchange.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "tests/geometry/space/box_scene.h"
 #include "tests/refusal.h"

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/space/exchange/element_table.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 
 namespace hottel::closed_hull_test {
 namespace {
@@ -86,7 +86,7 @@ TEST(ClosedHull3, TheSkyIsNotMeasuredWhereItSaysSo) {
   }
   const PreparedScene3 prepared = prepare(std::move(scene));
   const ClosedHull3 hull(prepared.blockers());
-  const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), Granularity::kElement);
+  const ElementTable3& table = *prepared.elements(Granularity::kElement);
   int measured = 0;
   for (const ElementTable3::Part& part : table.parts()) {
     if (part.patch.is_sky() || !hull.sees_no_sky(part.patch.surface, part.is_back)) continue;

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/exchange.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "tests/refusal.h"
@@ -338,7 +338,7 @@ bool overlap(const Box& a, const Box& b) {
 
 void expect_areas(const std::vector<Box>& boxes, const PreparedScene3& scene) {
   auto squares = squares_of(boxes);
-  const ElementTable3 table(scene.scene, scene.arrangement(), scene.blockers(), Granularity::kFace);
+  const ElementTable3& table = *scene.elements(Granularity::kFace);
   for (const Element& element : table.elements())
     if (element.material) {
       EXPECT_EQ(element.area.value, 0.25 * static_cast<double>(squares[element.name].size())) << element.name;

@@ -7,16 +7,16 @@
 #include <vector>
 
 #include "geometry/space/arrangement/surface_boxes.h"
-#include "geometry/space/exchange/arc_end.h"
-#include "geometry/space/exchange/edge_sum.h"
-#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/between/pair_setting.h"
 #include "geometry/space/exchange/exchange.h"
-#include "geometry/space/exchange/moment_origin.h"
-#include "geometry/space/exchange/pair_setting.h"
-#include "geometry/space/exchange/pair_stretches.h"
-#include "geometry/space/exchange/prepared_scene.h"
-#include "geometry/space/exchange/surface_stretches.h"
 #include "geometry/space/generate/generators.h"
+#include "geometry/space/integrals/moment_origin.h"
+#include "geometry/space/pairs/edge_sum.h"
+#include "geometry/space/pairs/pair_stretches.h"
+#include "geometry/space/pieces/arc_end.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
+#include "geometry/space/stretches/surface_stretches.h"
 
 namespace hottel::edge_sum_memory_test {
 namespace {

@@ -1,5 +1,5 @@
 // Elements of scenes in space: their names and order, their patches, their areas, the sky.
-#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/prepared/element_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/space/exchange/area_sum.h"
 #include "geometry/space/exchange/facing.h"
+#include "geometry/space/prepared/area_sum.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 

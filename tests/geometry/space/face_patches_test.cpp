@@ -1,11 +1,11 @@
 // What a face, or a part of it, is made of where others overlap it or a solid covers it.
-#include "geometry/space/exchange/face_patches.h"
+#include "geometry/space/prepared/face_patches.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "geometry/space/exchange/exchange.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "tests/geometry/space/box_scene.h"
 
 namespace hottel::face_patches_test {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "geometry/space/arrangement/whole_patch.h"
-#include "geometry/space/exchange/pair_details.h"
-#include "geometry/space/exchange/pair_measure.h"
+#include "geometry/space/pairs/pair_details.h"
+#include "geometry/space/pairs/pair_measure.h"
 #include "tests/geometry/space/box_faces.h"
 
 namespace hottel::hiders_test {

@@ -1,5 +1,5 @@
 // Bodies that hide as one from a point: which are joined, and that they hide what is within their outline.
-#include "geometry/space/exchange/joined_bodies.h"
+#include "geometry/space/between/joined_bodies.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "geometry/space/exchange/log_distance.h"
+#include "geometry/space/unobstructed/log_distance.h"
 
 #include <gtest/gtest.h>
 

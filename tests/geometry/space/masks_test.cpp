@@ -8,7 +8,7 @@
 #include "geometry/space/check/repair.h"
 #include "geometry/space/exchange/exchange.h"
 #include "geometry/space/exchange/pair_report.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/division.h"
 #include "io/scene/scene_json.h"
 #include "tests/refusal.h"

@@ -1,5 +1,5 @@
 // Sides that see no sky, because closed shells are around them.
-#include "geometry/space/exchange/no_sky.h"
+#include "geometry/space/sky/no_sky.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/space/arrangement/whole_patch.h"
-#include "geometry/space/exchange/pair_measure.h"
+#include "geometry/space/pairs/pair_measure.h"
 #include "tests/geometry/space/box_faces.h"
 
 namespace hottel::no_sky_test {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "geometry/space/exchange/exchange.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 
 namespace hottel::nothing_between_test {

@@ -1,4 +1,4 @@
-#include "geometry/space/exchange/pair_measure.h"
+#include "geometry/space/pairs/pair_measure.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "geometry/space/arrangement/whole_patch.h"
-#include "geometry/space/exchange/unobstructed.h"
 #include "geometry/space/scene/polygon.h"
+#include "geometry/space/unobstructed/unobstructed.h"
 
 namespace hottel::pair_measure_test {
 namespace {

@@ -13,7 +13,7 @@
 #include "geometry/space/check/repair.h"
 #include "geometry/space/contacts/near_contacts.h"
 #include "geometry/space/exchange/exchange.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/division.h"
 #include "io/scene/scene_json.h"
 #include "tests/refusal.h"

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "geometry/space/arrangement/whole_patch.h"
-#include "geometry/space/exchange/pair_measure.h"
-#include "geometry/space/exchange/sky_cones.h"
+#include "geometry/space/pairs/pair_measure.h"
+#include "geometry/space/sky/sky_cones.h"
 #include "tests/geometry/space/box_faces.h"
 
 namespace hottel::sky_test {

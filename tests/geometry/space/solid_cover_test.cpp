@@ -1,5 +1,5 @@
 // What stretches are told of without maps: what is behind a solid, and where lines go past them.
-#include "geometry/space/exchange/solid_cover.h"
+#include "geometry/space/stretches/solid_cover.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/space/arrangement/whole_patch.h"
-#include "geometry/space/exchange/stretch_hull.h"
+#include "geometry/space/stretches/stretch_hull.h"
 #include "tests/geometry/space/box_faces.h"
 
 namespace hottel::solid_cover_test {

@@ -1,9 +1,9 @@
-#include "geometry/space/exchange/stretch.h"
+#include "geometry/space/stretches/stretch.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "geometry/space/exchange/surface_stretches.h"
+#include "geometry/space/stretches/surface_stretches.h"
 
 namespace hottel::stretch_test {
 namespace {

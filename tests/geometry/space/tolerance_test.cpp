@@ -11,10 +11,12 @@
 
 #include "box_scene.h"
 #include "geometry/space/exchange/exchange_rows.h"
-#include "geometry/space/exchange/integer_reals.h"
 #include "geometry/space/exchange/pair_shares.h"
-#include "geometry/space/exchange/unobstructed.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/near_plane.h"
+#include "geometry/space/unobstructed/unobstructed.h"
+#include "geometry/space/vectors/integer_reals.h"
 #include "kernel/support/failure.h"
 
 namespace hottel::tolerance_test {
@@ -243,7 +245,7 @@ TEST(Tolerance3, APairThatFailsIsNamedOnceWithWhatWasReached) {
 TEST(PairShares3, OfAllPatchesTogetherAreTheTolerance) {
   const PreparedScene3 prepared = prepare(two_boxes_along_a_wall(tenth_to(6)));
   for (const Granularity granularity : {Granularity::kFace, Granularity::kGroup}) {
-    const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), granularity);
+    const ElementTable3& table = *prepared.elements(granularity);
     const PairShares3 shares(table, prepared.blockers().vertices(), 1e-9);
     std::map<std::pair<std::uint32_t, std::uint32_t>, double> sums;
     for (const ElementTable3::Part& a : table.parts())

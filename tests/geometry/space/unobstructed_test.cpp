@@ -1,4 +1,4 @@
-#include "geometry/space/exchange/unobstructed.h"
+#include "geometry/space/unobstructed/unobstructed.h"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/plane/light/average_illumination.h"
 #include "tests/oracle/plane/mean_light.h"
 #include "tests/oracle/plane/random_scene.h"
@@ -46,7 +48,7 @@ std::vector<oracle::LitSegment> lit_segments(const oracle::RandomScene& random) 
 
 AverageIllumination2 averages(const oracle::RandomScene& random, const Grid2& cells, double sky) {
   const PreparedScene2 prepared = prepare(scene_of(random));
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+  const ElementTable2& table = *prepared.elements(Granularity::kFace);
   std::vector<double> radiosity;
   for (const Element& element : table.elements()) {
     const int edge = static_cast<int>(element.surface);

@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "tests/comparison/plane/engine_comparison.h"
 #include "tests/comparison/plane/ownership.h"

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <filesystem>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/chosen_rows.h"
-#include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/scene/division.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
@@ -156,7 +156,7 @@ TEST(ChosenRows2, AreThoseOfTheExactMatrix) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const Scene2 scene = divided_by(random_lattice_scene(seed, 9), 1 + seed % 3);
     const PreparedScene2 prepared = prepare(scene, Divided2::kYes);
-    const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
+    const ElementTable2& table = *prepared.elements(Granularity::kElement);
     const ExchangeMatrix exact = exact_exchange(prepared, {.granularity = Granularity::kElement});
     const std::vector<PlainRow2> rows = chosen_rows(prepared, table, kAll);
     for (std::uint32_t i = 0; i < exact.size(); ++i) {
@@ -214,7 +214,7 @@ TEST(DividingEstimate2, IsWhatTheExactFactorsOfHalvesGather) {
 TEST(ChosenRows2, AreTheSameWhateverElseIsChosen) {
   for (const Scene2& scene : {divided_by(square_room(), 4), divided_by(pillar_room(), 3)}) {
     const PreparedScene2 prepared = prepare(scene, Divided2::kYes);
-    ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
+    ElementTable2 table = *prepared.elements(Granularity::kElement);
     const std::vector<PlainRow2> all = chosen_rows(prepared, table, kAll);
     std::vector<bool> chosen(table.count());
     for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = i % 5 == 2;
@@ -243,7 +243,7 @@ TEST(SampledElements, StandForTheAreaOfAll) {
   Scene2 scene = square_room();
   scene.surfaces[0].elements = 1000;
   const PreparedScene2 prepared = prepare(scene, Divided2::kYes);
-  const ExchangeMatrix matrix(elements_of(prepared, Granularity::kElement), Guarantee::kEstimated);
+  const ExchangeMatrix matrix(prepared.elements(Granularity::kElement)->elements(), Guarantee::kEstimated);
   const std::vector<double> alike(matrix.size(), 2.0);
   const std::vector<SampledElement> all = sampled_elements(matrix, alike, 1003);
   const std::vector<SampledElement> some = sampled_elements(matrix, alike, 64);
@@ -265,7 +265,7 @@ TEST(SampledElements, TellASumOfWhatIsImportantExactly) {
   Scene2 scene = square_room();
   scene.surfaces[2].elements = 300;
   const PreparedScene2 prepared = prepare(scene, Divided2::kYes);
-  const ExchangeMatrix matrix(elements_of(prepared, Granularity::kElement), Guarantee::kEstimated);
+  const ExchangeMatrix matrix(prepared.elements(Granularity::kElement)->elements(), Guarantee::kEstimated);
   std::vector<double> value(matrix.size());
   double sum = 0;
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {

@@ -4,8 +4,9 @@
 #include <map>
 #include <string>
 
-#include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/scene/division.h"
 #include "tests/solver/plane/lit_scenes.h"
 #include "tests/solver/plane/random_trees.h"

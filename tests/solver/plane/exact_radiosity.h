@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/radiosity/radiosity.h"
 
 namespace hottel::testing_radiosity {

@@ -10,7 +10,8 @@
 #include <random>
 #include <vector>
 
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/light/beam.h"
 #include "tests/solver/plane/lit_scenes.h"

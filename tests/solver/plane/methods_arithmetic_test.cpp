@@ -8,8 +8,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/generate/generators.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/visibility/view.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"

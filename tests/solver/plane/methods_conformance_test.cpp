@@ -11,8 +11,8 @@
 #include <memory>
 #include <set>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/parallel.h"
 #include "solver/plane/methods/method_catalogue.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/methods/method_catalogue.h"

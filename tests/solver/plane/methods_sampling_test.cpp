@@ -10,6 +10,8 @@
 #include <set>
 
 #include "geometry/plane/generate/generators.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/visibility/visibility_polygon.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
@@ -355,7 +357,7 @@ CentreFactors centre_factors(const PreparedScene2& prepared, const ElementTable2
 
 TEST(Hemicube2, ConvergesToTheFactorsFromTheCentreByOrderOne) {
   const PreparedScene2 prepared = clutter(40);
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
+  const ElementTable2& table = *prepared.elements(Granularity::kElement);
   const PointLocation2 location(prepared.arrangement.vertices(), prepared.arrangement.triangulation());
   std::vector<CentreFactors> exact;
   for (std::uint32_t i = 0; i < table.count(); ++i)

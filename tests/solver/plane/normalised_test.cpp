@@ -1,8 +1,8 @@
 // Methods with ":normalised" at the end of their names.
 #include <gtest/gtest.h>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/generate/generators.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/rational.h"
 #include "solver/plane/methods/method_catalogue.h"
 

@@ -6,6 +6,8 @@
 #include <limits>
 #include <set>
 
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/methods/method_catalogue.h"
 #include "solver/plane/methods/open_space.h"
@@ -260,7 +262,7 @@ TEST(Sky, BordersWhatAWayFromInfinityReaches) {
                                                {"a", "1", "1", "1", "2"},
                                                {"b", "1", "2", "2", "1"},
                                                {"c", "2", "1", "1", "1"}});
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
+  const ElementTable2& table = *prepared.elements(Granularity::kElement);
   const std::vector<char> is_open = borders_open_space(prepared.arrangement, table);
   for (std::uint32_t i = 0; i < table.count(); ++i) {
     const std::string& name = table.elements()[i].name;

@@ -8,8 +8,8 @@
 #include <functional>
 #include <numbers>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 
 namespace hottel::radiosity_verdict_test {

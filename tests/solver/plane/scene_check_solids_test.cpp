@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/check/repair.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/radiosity/radiosity.h"
 #include "tests/solver/plane/check_scenes.h"
 

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/interrupt.h"
 #include "solver/plane/methods/method_catalogue.h"
 #include "tests/solver/plane/edited_scenes.h"

@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/scene/moving_lights.h"
 #include "geometry/plane/visibility/sun_view.h"
 #include "kernel/support/failure.h"
@@ -253,7 +254,7 @@ TEST(Sun2, LitLengthsAreWhatRaysCount) {
             is_plain[2 * other] = is_plain[2 * other + 1] = 0;
     }
     const PreparedScene2 prepared = prepare(scene);
-    const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+    const ElementTable2& table = *prepared.elements(Granularity::kFace);
     const LightShares shares = shares_in(std::move(scene), d);
     const double length = std::sqrt(to_double(d.x * d.x + d.y * d.y));
     for (std::uint32_t e = 0; e < table.count(); ++e) {

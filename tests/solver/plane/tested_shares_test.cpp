@@ -9,7 +9,8 @@
 #include <random>
 #include <vector>
 
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/light/light_shares.h"
 #include "solver/plane/simulation/simulation.h"

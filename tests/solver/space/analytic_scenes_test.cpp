@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "geometry/space/exchange/exchange.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "kernel/decimal.h"
 #include "solver/radiosity/radiosity.h"

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <random>
 
-#include "geometry/space/exchange/element_table.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "solver/space/light/light_shares.h"
 #include "tests/geometry/space/box_scene.h"
 
@@ -76,7 +76,7 @@ TEST(DirectLight3, ALightInASolidLightsNothing) {
 // What falls on lit parts, point by point, is the share of their face.
 TEST(DirectLight3, SumsOverLitPartsAreTheShares) {
   const PreparedScene3 prepared = room_with_plate();
-  const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), Granularity::kFace);
+  const ElementTable3& table = *prepared.elements(Granularity::kFace);
   for (const Beam3& beam : {Beam3{}, Beam3{{1, 1, 4}, 90, 1}, Beam3{{1, 2, -3}, 170, 0}}) {
     const Point3 position{Rational(1, 4), Rational(-1, 8), Rational(-1, 2)};
     const DirectLight3 light(prepared, position, beam);

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/exchange.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/division.h"
 #include "io/scene/scene_json.h"
 #include "solver/dividing/cut_elements.h"
@@ -156,7 +156,7 @@ TEST(SentOut3, LightsPointsOfAnEvenlyBrightRoomEvenly) {
   const auto solution = simulation.radiosities();
   const auto prepared = simulation.prepared();
   const SentOut3 sent_out(*prepared, Granularity::kElement, *solution);
-  const ElementTable3 table(prepared->scene, prepared->arrangement(), prepared->blockers(), Granularity::kElement);
+  const ElementTable3& table = *prepared->elements(Granularity::kElement);
   for (std::uint32_t label = 0; label < table.count(); ++label) {
     if (!table.has_row(label)) continue;
     const std::vector<Point3> corners = corners_of(prepared->blockers().vertices(), table.parts(label).front().patch);
@@ -175,7 +175,7 @@ TEST(SentOut3, LightsElementsInTheMeanAsTheirFactorsDo) {
   const auto solution = simulation.radiosities();
   const auto prepared = simulation.prepared();
   const SentOut3 sent_out(*prepared, Granularity::kElement, *solution);
-  const ElementTable3 table(prepared->scene, prepared->arrangement(), prepared->blockers(), Granularity::kElement);
+  const ElementTable3& table = *prepared->elements(Granularity::kElement);
   constexpr int kPoints = 12;
   for (std::uint32_t label = 0; label < table.count(); label += 5) {
     if (!table.has_row(label)) continue;

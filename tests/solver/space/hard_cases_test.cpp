@@ -6,7 +6,7 @@
 
 #include "benchmarks/reports/space/hard_scenes.h"
 #include "geometry/space/exchange/exchange.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "solver/space/methods/method_catalogue.h"
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/parallel.h"
 #include "solver/space/simulation/simulation.h"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/space/exchange/element_table.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "tests/comparison/space/map_comparison.h"
 #include "tests/geometry/space/box_scene.h"
 #include "tests/oracle/space/nearest_polygon.h"
@@ -38,7 +38,7 @@ struct Lit {
 Lit light(const Scene3& scene, const Point3& position, const Beam3& beam,
           Granularity granularity = Granularity::kFace) {
   const PreparedScene3 prepared = prepare(scene);
-  ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), granularity);
+  ElementTable3 table = *prepared.elements(granularity);
   LightShares3 shares = light_shares(prepared, table, position, beam);
   double sum = shares.sky.value + shares.lost.value, lower = shares.sky.bounds.lower + shares.lost.bounds.lower,
          upper = shares.sky.bounds.upper + shares.lost.bounds.upper;

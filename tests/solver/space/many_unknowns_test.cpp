@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/division.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/parallel.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "geometry/space/exchange/exchange.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "solver/space/methods/method_catalogue.h"
 

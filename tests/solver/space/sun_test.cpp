@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/moving_lights.h"
 #include "geometry/space/visibility/exact_map.h"
 #include "geometry/space/visibility/sight_finder.h"
@@ -55,7 +56,7 @@ Lit lit(Scene3 scene, const Vector3& direction, LightTest test = LightTest::kExa
   scene.add_light(sun(), {.position = {}, .direction = direction, .rotation = {}});
   validate(scene);
   const PreparedScene3 prepared = prepare(std::move(scene));
-  const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), granularity);
+  const ElementTable3& table = *prepared.elements(granularity);
   return {table.elements(), light_shares(prepared, granularity, test).front()};
 }
 

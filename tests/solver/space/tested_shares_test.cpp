@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "solver/space/light/scene_light_shares.h"
 #include "solver/space/simulation/simulation.h"
@@ -58,7 +59,8 @@ Lit lit(Scene3 scene, const Light& light, const LightPlace3& place, LightTest te
   scene.add_light(light, place);
   validate(scene);
   const PreparedScene3 prepared = prepare(std::move(scene));
-  return {elements_of(prepared, Granularity::kElement), light_shares(prepared, Granularity::kElement, test).front()};
+  return {prepared.elements(Granularity::kElement)->elements(),
+          light_shares(prepared, Granularity::kElement, test).front()};
 }
 
 Scene3 room(std::uint32_t elements = 1) {
@@ -238,7 +240,7 @@ TEST(TestedShares3, AreThoseOfASlowOracleInRandomRooms) {
     validate(scene);
     const PreparedScene3 prepared = prepare(scene);
     if (prepared.arrangement().solids().around(place.position)) continue;
-    const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), Granularity::kElement);
+    const ElementTable3& table = *prepared.elements(Granularity::kElement);
     const Vertices3& vertices = prepared.blockers().vertices();
     const Point3& from = place.position;
     const auto place_of = [&](const IntegerVector& at, const Integer& weight) {

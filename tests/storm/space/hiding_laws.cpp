@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "geometry/space/arrangement/merged_blockers.h"
-#include "geometry/space/exchange/pair_details.h"
-#include "geometry/space/exchange/patch_halves.h"
 #include "geometry/space/hiding/hiders.h"
+#include "geometry/space/pairs/pair_details.h"
+#include "geometry/space/pairs/patch_halves.h"
 #include "tests/oracle/space/nearest_polygon.h"
 
 namespace hottel::storm {

@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include "geometry/space/arrangement/merged_blockers.h"
-#include "geometry/space/exchange/pair_setting.h"
+#include "geometry/space/between/pair_setting.h"
 #include "geometry/space/hiding/hiders.h"
 #include "io/scene/scene_json.h"
 #include "tests/comparison/space/map_comparison.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "geometry/space/exchange/exchange_rows.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/division.h"
 #include "geometry/space/scene/validation.h"
 #include "geometry/unmeasured_pairs.h"

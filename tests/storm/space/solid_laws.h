@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "tests/storm/space/solid_scene.h"
 
 namespace hottel::storm {

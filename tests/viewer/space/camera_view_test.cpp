@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/visibility/point_map.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"

@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "solver/space/simulation/simulation.h"
 #include "viewer/picture/cairo_canvas.h"
@@ -103,8 +104,8 @@ TEST(RenderedView3, ShapesHaveTheColoursOfThePixels) {
     Camera3 camera = *simulation.scene().camera;
     camera.height = view.height();
     camera.width = view.width();
-    const ElementTable3 table(simulation.scene(), simulation.prepared()->arrangement(),
-                              simulation.prepared()->blockers(), Granularity::kElement);
+    const std::shared_ptr<const ElementTable3> its = simulation.prepared()->elements(Granularity::kElement);
+    const ElementTable3& table = *its;
     const ElementPaint3 paint = light_paint_3(simulation.scene(), *simulation.radiosities());
     const SmoothMesh3 mesh(*simulation.prepared(), table);
     const PixelValues3 pixels =
@@ -154,8 +155,8 @@ TEST(RenderedView3, ShapesLookLikeThePixels) {
   CairoCanvas canvas(drawn);
   view.draw(canvas);
   canvas.finish();
-  const ElementTable3 table(simulation.scene(), simulation.prepared()->arrangement(), simulation.prepared()->blockers(),
-                            Granularity::kFace);
+  const std::shared_ptr<const ElementTable3> its = simulation.prepared()->elements(Granularity::kFace);
+  const ElementTable3& table = *its;
   Camera3 camera = *simulation.scene().camera;
   const auto pixel_height = static_cast<std::uint32_t>(std::round(camera.height * 120.0 / camera.width));
   camera.width = 120;
@@ -206,7 +207,7 @@ TEST(CameraView3, PixelsIntegrateWhatElementsShow) {
       R"({"hottel": 1, "dimension": 3, "materials": {"m": {"reflectivity": 0.5}}, "polygons": [
       {"name": "plate", "points": [[-1,4,-1],[1,4,-1],[1,4,1],[-1,4,1]], "material": "m", "elements": 2}]})",
       "plate.json"));
-  const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), Granularity::kElement);
+  const ElementTable3& table = *prepared.elements(Granularity::kElement);
   ElementPaint3 paint{.channels = 1,
                       .values = std::vector<double>(table.count(), 0),
                       .scale = ColourScale{-1, 3},

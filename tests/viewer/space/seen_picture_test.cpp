@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "solver/space/simulation/simulation.h"
 #include "viewer/picture/space/camera_view.h"

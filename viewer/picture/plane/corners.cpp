@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -43,7 +44,7 @@ FaceRuns2::FaceRuns2(const PreparedScene2& prepared, const Frame2& frame, Granul
   for (const VertexId v : vertices.ids()) {
     corners_.at.push_back(frame.at(vertices.to_scene(vertices.exact(v))));
   }
-  const ElementTable2 labels(prepared.scene, prepared.arrangement, prepared.division, granularity);
+  const ElementTable2& labels = *prepared.elements(granularity);
   elements_ = labels.elements();
   begin_.assign(prepared.scene.surfaces.size() + 1, 0);
   for (std::uint32_t label = 0; label < labels.count(); ++label) {

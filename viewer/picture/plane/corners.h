@@ -7,7 +7,7 @@
 
 #include "geometry/element.h"
 #include "geometry/face.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/scene/scene.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/plane/frame.h"

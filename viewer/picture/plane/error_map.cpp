@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/plane/prepared/element_table.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/plane/light/illumination_grid.h"
 #include "viewer/picture/colour_map.h"
 #include "viewer/picture/plane/scene_painter.h"
@@ -41,7 +43,7 @@ FaceColouring2 face_errors(const MethodComparison2& comparison, const MethodResu
 std::vector<IlluminationGrid2> light_of(const MethodComparison2& comparison, const RadiositySolution& found,
                                         const RadiositySolution& exact) {
   const PreparedScene2& prepared = comparison.prepared();
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
+  const ElementTable2& table = *prepared.elements(Granularity::kElement);
   const SentOut2 both[] = {sent_out_2(table, found, prepared.scene), sent_out_2(table, exact, prepared.scene)};
   return illuminate_points(prepared, default_grid(prepared.scene, kCells), table, both);
 }

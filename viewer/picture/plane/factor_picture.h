@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "viewer/picture/cairo_canvas.h"
 
 namespace hottel {

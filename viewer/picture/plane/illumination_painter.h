@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/plane/light/light_values.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/plane/contours.h"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/scene/scene.h"
 #include "solver/plane/light/illumination_grid.h"
 #include "viewer/picture/plane/barred_pixels.h"

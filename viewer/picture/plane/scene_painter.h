@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/plane/run_values.h"
 #include "viewer/picture/plane/scene_picture.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/plane/corners.h"
 #include "viewer/picture/plane/frame.h"

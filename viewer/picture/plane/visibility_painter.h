@@ -5,7 +5,7 @@
 #include <string>
 
 #include "geometry/face.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/plane/scene_sheet.h"
 #include "viewer/picture/plane/visibility_picture.h"

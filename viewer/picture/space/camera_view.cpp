@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/space/exchange/element_table.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/visibility/point_map.h"
 #include "geometry/space/visibility/seen_faces.h"
 
@@ -71,7 +71,7 @@ PixelValues3 camera_view_3(const SeenScene3& scene, const Camera3& camera) {
 
 PixelValues3 camera_view_3(const PreparedScene3& prepared, Granularity granularity, const RadiositySolution& solution,
                            const Camera3& camera) {
-  const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), granularity);
+  const ElementTable3& table = *prepared.elements(granularity);
   const ElementPaint3 paint = light_paint_3(prepared.scene, solution);
   return camera_view_3({prepared, table, paint}, camera);
 }

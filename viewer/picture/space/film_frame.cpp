@@ -1,6 +1,7 @@
 #include "viewer/picture/space/film_frame.h"
 
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "viewer/picture/png_file.h"
 #include "viewer/picture/raster.h"
@@ -18,8 +19,7 @@ std::string FilmPainter3::file(const Simulation3& simulation, Kept& kept, const 
   const auto prepared = simulation.prepared(progress);
   ElementPaint3 paint = light_paint_3(prepared->scene, *simulation.radiosities(progress));
   if (!kept.table) {
-    kept.table = std::make_unique<const ElementTable3>(prepared->scene, prepared->arrangement(), prepared->blockers(),
-                                                       simulation.request().factors.granularity);
+    kept.table = prepared->elements(simulation.request().factors.granularity);
     if (options_.shading != Shading::kFlat) kept.mesh.emplace(*prepared, *kept.table);
   }
   if (options_.shading == Shading::kParents)

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/prepared/element_table.h"
 #include "kernel/support/stage.h"
 #include "solver/space/simulation/simulation.h"
 #include "viewer/picture/space/render_picture.h"
@@ -26,7 +26,7 @@ class FilmPainter3 {
  public:
   // Beside a list of active elements: what is seen of them.
   struct Kept {
-    std::unique_ptr<const ElementTable3> table;
+    std::shared_ptr<const ElementTable3> table;
     std::optional<SmoothMesh3> mesh;
     std::optional<SeenPicture3> seen;
     std::uint64_t seen_bytes = 0;  // about

@@ -6,7 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/visibility/convex_cut.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/colour_map.h"
@@ -81,7 +82,7 @@ RenderedView3::RenderedView3(const PreparedScene3& prepared, Granularity granula
     : prepared_(prepared),
       options_(std::move(options)),
       camera_(camera_of_scene(prepared, options_.wanted_width)),
-      table_(prepared.scene, prepared.arrangement(), prepared.blockers(), granularity),
+      table_(*prepared.elements(granularity)),
       paint_(options_.shown ? scale_paint_3(*options_.shown) : light_paint_3(prepared.scene, solution)) {
   if (options_.shading == Shading::kParents)
     paint_.values = values_from_parents(table_.elements(), paint_.values, paint_.channels);

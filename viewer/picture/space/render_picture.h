@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/prepared/element_table.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/picture_options.h"
 #include "viewer/picture/shading.h"
@@ -85,7 +85,7 @@ class RenderedView3 {
   const PreparedScene3& prepared_;
   RenderOptions3 options_;
   Camera3 camera_;
-  ElementTable3 table_;
+  const ElementTable3& table_;
   ElementPaint3 paint_;
   std::optional<SmoothMesh3> mesh_;
   PixelValues3 pixels_;

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/visibility/convex_cut.h"
 #include "geometry/space/visibility/point_map.h"
 #include "kernel/support/failure.h"

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/prepared/element_table.h"
 #include "geometry/space/scene/scene.h"
 #include "viewer/picture/space/element_paint.h"
 #include "viewer/picture/space/pixel_values.h"

@@ -9,8 +9,8 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/space/exchange/element_table.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "viewer/picture/bounded_mean.h"
 
 namespace hottel {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/check/wording.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/scene_names.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/methods/computed_factors.h"

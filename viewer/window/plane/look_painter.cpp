@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/scene_names.h"
 #include "solver/plane/methods/computed_factors.h"
 #include "viewer/picture/cairo_canvas.h"

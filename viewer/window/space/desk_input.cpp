@@ -41,7 +41,7 @@ std::optional<Direction3> Desk3::surface_at(const Pixel& place) const {
   const SeenPicture3::Part* part = part_at(place);
   if (part == nullptr || !part->element) return std::nullopt;
   const LiveModel3& model = *seen()->model;
-  const Polygon3& polygon = model.prepared.scene.polygons[model.table.elements()[*part->element].surface];
+  const Polygon3& polygon = model.prepared.scene.polygons[model.table().elements()[*part->element].surface];
   const Vector3 area = doubled_area(polygon);
   const Direction3 normal = unit({to_double(area.x), to_double(area.y), to_double(area.z)});
   const Pointer3 from = camera_.pointer(place, size_);
@@ -178,8 +178,8 @@ void Desk3::pick(const Face& face) {
   picked_.reset();
   if (state().version) {
     const auto& model = state().version->shared_model();
-    for (LiveElement3 e{model}; e.number < model->table.count() && !picked_; ++e.number)
-      if (model->table.has_row(e.number) && e.face() == face) picked_ = e;
+    for (LiveElement3 e{model}; e.number < model->table().count() && !picked_; ++e.number)
+      if (model->table().has_row(e.number) && e.face() == face) picked_ = e;
   }
   set_request(std::move(request));
 }

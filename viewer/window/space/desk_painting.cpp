@@ -37,7 +37,7 @@ const SeenPicture3& Desk3::see(const std::shared_ptr<const LiveModel3>& model, c
   const bool is_kept = kept && kept->model == model && kept->camera == camera && kept->is_smooth == is_smooth &&
                        kept->picture.show(paint, mesh);
   if (!is_kept)
-    kept.emplace(Seen{model, camera, is_smooth, SeenPicture3({model->prepared, model->table, paint, mesh}, camera)});
+    kept.emplace(Seen{model, camera, is_smooth, SeenPicture3({model->prepared, model->table(), paint, mesh}, camera)});
   return kept->picture;
 }
 
@@ -88,7 +88,7 @@ void Desk3::draw_base() {
 void Desk3::draw_touched(PictureCanvas& canvas) const {
   if (hover_ && seen() != nullptr && look().values() == nullptr && drag_ == Drag::kNone) {
     std::vector<std::vector<Pixel>> outlines;
-    const std::vector<Element>& elements = seen()->model->table.elements();
+    const std::vector<Element>& elements = seen()->model->table().elements();
     for (const SeenPicture3::Part& part : seen()->picture.parts()) {
       if (!part.element) continue;
       const Element& its = elements[*part.element];
@@ -132,7 +132,7 @@ std::string Desk3::head() const {
   if (!now.stage.empty()) return text + "   " + now.stage;
   if (!now.is_lit() || !now.problem.empty()) return text;
   if (look.version() != now.version.get()) text += "   before the last edit";
-  return text + fmt::format("   {} elements, {:.0f} ms", look.version()->model().table.count(),
+  return text + fmt::format("   {} elements, {:.0f} ms", look.version()->model().table().count(),
                             1e3 * look.version()->seconds());
 }
 

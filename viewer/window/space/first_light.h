@@ -1,7 +1,7 @@
 // What a scene in space looks like before its view factors are known.
 #pragma once
 
-#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/prepared/element_table.h"
 #include "geometry/space/scene/scene.h"
 #include "viewer/picture/space/element_paint.h"
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "viewer/window/space/first_light.h"
 
@@ -25,15 +27,13 @@ SimulationRequest3 of_whole_polygons(SimulationRequest3 request) {
 }  // namespace
 
 LiveModel3::LiveModel3(const PreparedScene3& scene)
-    : prepared(scene),
-      table(prepared.scene, prepared.arrangement(), prepared.blockers(), Granularity::kElement),
-      mesh(prepared, table) {}
+    : prepared(scene), elements(prepared.elements(Granularity::kElement)), mesh(prepared, table()) {}
 
 std::optional<std::uint32_t> LiveElement3::number_in(const LiveModel3& other) const {
   if (&other == model.get()) return number;
   const Element& its = element();
-  for (std::uint32_t k = 0; k < other.table.count(); ++k) {
-    const Element& there = other.table.elements()[k];
+  for (std::uint32_t k = 0; k < other.table().count(); ++k) {
+    const Element& there = other.table().elements()[k];
     if (there.name == its.name && there.parts == its.parts) return k;
   }
   return std::nullopt;
@@ -78,7 +78,7 @@ SceneVersion3 SceneVersion3::with_scene(std::shared_ptr<const Scene3> scene) con
 
 LiveVersion3::Ptr LiveVersion3::first(const SceneVersion3& of, const StageProgress& progress) {
   LiveVersion3 result(of, progress);
-  result.light_ = light_before_factors_3(result.scene(), result.model().table);
+  result.light_ = light_before_factors_3(result.scene(), result.model().table());
   return std::make_shared<const LiveVersion3>(std::move(result));
 }
 
@@ -96,7 +96,7 @@ void LiveVersion3::sweep(const SceneVersion3& of, const RowsSoFar3& rows, const 
   const Ptr begin = first(of, progress);
   const bool goes_on =
       from.light().channels == begin->light().channels && from.light().values.size() == begin->light().values.size();
-  RowSweeps3 sweeps(begin->scene(), begin->model().table, rows, *of.simulation().light_shares(progress),
+  RowSweeps3 sweeps(begin->scene(), begin->model().table(), rows, *of.simulation().light_shares(progress),
                     goes_on ? from.light() : begin->light());
   for (int k = 0; k < kMostSweepsSoFar; ++k) {
     progress("sweeps", static_cast<double>(k) / kMostSweepsSoFar);

@@ -8,8 +8,8 @@
 
 #include "geometry/element.h"
 #include "geometry/face.h"
-#include "geometry/space/exchange/element_table.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/prepared/element_table.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/scene.h"
 #include "kernel/support/stage.h"
 #include "kernel/support/stopwatch.h"
@@ -24,10 +24,11 @@ namespace hottel {
 // arranged alike it is one; the materials in `prepared` are those of one of them.
 struct LiveModel3 {
   PreparedScene3 prepared;
-  ElementTable3 table;
+  std::shared_ptr<const ElementTable3> elements;
   SmoothMesh3 mesh;
 
   explicit LiveModel3(const PreparedScene3& scene);
+  const ElementTable3& table() const { return *elements; }
 };
 
 // An element, by its number in the model that it was found in.
@@ -35,7 +36,7 @@ struct LiveElement3 {
   std::shared_ptr<const LiveModel3> model;
   std::uint32_t number = 0;
 
-  const Element& element() const { return model->table.elements()[number]; }
+  const Element& element() const { return model->table().elements()[number]; }
   Face face() const { return {element().surface, element().is_back}; }
   // Its number in another model; nothing where that has no such part of such a face. COST: linear, but in its own.
   std::optional<std::uint32_t> number_in(const LiveModel3& other) const;

@@ -219,7 +219,7 @@ std::vector<std::string> face_lines_3(const LiveVersion3& version, const Face& f
   lines.push_back((its.has_given_flux() ? "net flux\t" : "emission\t") + spectrum_text(its.emission));
   const std::optional<std::uint32_t> number = element ? element->number_in(version.model()) : std::nullopt;
   if (!number) return lines;
-  const Element& its_element = version.model().table.elements()[*number];
+  const Element& its_element = version.model().table().elements()[*number];
   if (its_element.parts > 1) lines.push_back(fmt::format("element\t{} of {}", its_element.part + 1, its_element.parts));
   lines.push_back("area\t" + digits(its_element.area.value));
   if (!version.is_lit()) return lines;

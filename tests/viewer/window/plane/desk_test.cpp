@@ -8,7 +8,7 @@
 #include <set>
 #include <thread>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/scene/moving_lights.h"
 #include "io/files/output_file.h"
 #include "io/files/text_file.h"

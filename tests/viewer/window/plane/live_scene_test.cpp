@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/scene_names.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/closed_forms.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/visibility/critical_points.h"
 #include "geometry/plane/visibility/point_sight.h"
 #include "geometry/scene_names.h"

@@ -96,7 +96,7 @@ TEST(Desk3, ShowsTheLightOfTheSceneAtRest) {
   const LiveModel3 model(*fresh.prepared());
   const ToneCurve tone(Tone::kLog, 1, paint.values, paint.channels);
   const Raster raster =
-      SeenPicture3({model.prepared, model.table, paint, &model.mesh}, hand.desk->camera().camera({400, 300}))
+      SeenPicture3({model.prepared, model.table(), paint, &model.mesh}, hand.desk->camera().camera({400, 300}))
           .raster(&tone);
   int same = 0, all = 0;
   for (std::uint32_t y = 100; y < 300; ++y)  // below the texts
@@ -109,12 +109,12 @@ TEST(Desk3, ShowsTheLightOfTheSceneAtRest) {
 TEST(Desk3, ShowsTheSceneBeforeItsLight) {
   const Scene3 scene = parse_scene_3(kRoom, "room");
   const LiveModel3 model(prepare(scene));
-  const ElementPaint3 paint = light_before_factors_3(scene, model.table);
+  const ElementPaint3 paint = light_before_factors_3(scene, model.table());
   ASSERT_EQ(paint.channels, 3u);
-  ASSERT_EQ(paint.values.size(), 3u * model.table.count());
+  ASSERT_EQ(paint.values.size(), 3u * model.table().count());
   std::uint32_t lamp = 0, floor = 0;
-  while (model.table.elements()[lamp].name != "lamp") ++lamp;
-  while (model.table.elements()[floor].name != "floor#0") ++floor;
+  while (model.table().elements()[lamp].name != "lamp") ++lamp;
+  while (model.table().elements()[floor].name != "floor#0") ++floor;
   EXPECT_GE(paint.value(lamp)[0], 4);
   EXPECT_GT(paint.value(floor)[0], 0);
   EXPECT_LT(paint.value(floor)[0], 4);

@@ -37,7 +37,7 @@ SimulationRequest3 by_elements() { return {.factors = {.granularity = Granularit
 
 // Everything of a version belongs together: as many of all, and the light of its scene, bit for bit.
 void expect_whole(const LiveVersion3& version) {
-  const std::uint32_t count = version.model().table.count();
+  const std::uint32_t count = version.model().table().count();
   EXPECT_EQ(version.light().values.size(), count * version.light().channels);
   if (!version.is_lit()) return;
   ASSERT_EQ(version.factors()->matrix.size(), count);
@@ -68,7 +68,7 @@ TEST(LiveScene3Thread, AVersionStaysWholeUntilTheNextHasItsLight) {
     for (const LookKind3 look : {LookKind3::kRadiosity, LookKind3::kIrradiance}) {
       const LookResult3 result = look_at_3(live.state().version, {.look = look}, kAnyProgress);
       ASSERT_TRUE(result.shown);
-      EXPECT_EQ(result.shown->elements.size(), result.version->model().table.count());
+      EXPECT_EQ(result.shown->elements.size(), result.version->model().table().count());
     }
     if (live.state().version != seen.back()) seen.push_back(live.state().version);
   }
@@ -104,10 +104,10 @@ TEST(LiveElement3, IsFoundInModelsThatHaveItsPart) {
     return SceneVersion3(divided_room(n), by_elements(), nullptr).model(kAnyProgress);
   };
   const auto coarse = model_of(1), fine = model_of(3), again = model_of(3);
-  for (std::uint32_t k = 0; k < fine->table.count(); ++k) {
+  for (std::uint32_t k = 0; k < fine->table().count(); ++k) {
     EXPECT_EQ((LiveElement3{fine, k}).number_in(*fine), k);
     EXPECT_EQ((LiveElement3{fine, k}).number_in(*again), k);
-    EXPECT_EQ((LiveElement3{fine, k}).number_in(*coarse).has_value(), !fine->table.elements()[k].is_part());
+    EXPECT_EQ((LiveElement3{fine, k}).number_in(*coarse).has_value(), !fine->table().elements()[k].is_part());
   }
 }
 

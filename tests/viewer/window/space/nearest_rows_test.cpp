@@ -65,7 +65,7 @@ TEST_F(Arriving, NearRowsComeFirstAndAllCome) {
   const Simulation3 watched = simulation();
   const ExchangeMatrix& matrix = watched.factors()->matrix;
   const LiveModel3 model(*watched.prepared());
-  const auto corners = element_corners(model.table, model.prepared.blockers().vertices());
+  const auto corners = element_corners(model.table(), model.prepared.blockers().vertices());
   double before = 0;
   std::size_t all = 0;
   for (const auto& part : watch->parts) {
@@ -115,8 +115,8 @@ TEST_F(Arriving, SweepsTendToTheLight) {
   const Simulation3 watched = simulation();
   const auto light = watched.radiosities();
   const LiveModel3 model(*watched.prepared());
-  RowSweeps3 sweeps(watched.scene(), model.table, *watch->so_far.back(), *watched.light_shares(),
-                    light_before_factors_3(watched.scene(), model.table));
+  RowSweeps3 sweeps(watched.scene(), model.table(), *watch->so_far.back(), *watched.light_shares(),
+                    light_before_factors_3(watched.scene(), model.table()));
   double before = 2;
   for (int k = 0; k < 60; ++k) {
     const double change = sweeps.sweep();
@@ -124,7 +124,7 @@ TEST_F(Arriving, SweepsTendToTheLight) {
     before = std::max(change, 1e-14);
   }
   for (std::size_t c = 0; c < 3; ++c)
-    for (std::uint32_t i = 0; i < model.table.count(); ++i)
+    for (std::uint32_t i = 0; i < model.table().count(); ++i)
       EXPECT_NEAR(sweeps.light().value(i)[c], light->channels[c].elements[i].radiosity, 1e-9);
 }
 
@@ -132,12 +132,12 @@ TEST_F(Arriving, RowsThatAreMissingKeepTheirLight) {
   const Simulation3 watched = simulation();
   watched.factors();
   const LiveModel3 model(*watched.prepared());
-  const ElementPaint3 before = light_before_factors_3(watched.scene(), model.table);
+  const ElementPaint3 before = light_before_factors_3(watched.scene(), model.table());
   const RowsSoFar3& some = *watch->so_far[3];
-  RowSweeps3 sweeps(watched.scene(), model.table, some, *watched.light_shares(), before);
+  RowSweeps3 sweeps(watched.scene(), model.table(), some, *watched.light_shares(), before);
   sweeps.sweep();
   std::size_t changed = 0;
-  for (std::uint32_t i = 0; i < model.table.count(); ++i) {
+  for (std::uint32_t i = 0; i < model.table().count(); ++i) {
     const bool is_same = std::ranges::equal(sweeps.light().value(i), before.value(i));
     if (some.has_come[i] == 0) {
       EXPECT_TRUE(is_same) << i;

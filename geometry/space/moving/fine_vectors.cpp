@@ -1,0 +1,122 @@
+// Normals and directions that are good to the last digit all along a piece (MovingPlanes3).
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/space/moving/moving_planes.h"
+#include "geometry/space/vectors/integer_reals.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kUnit = 0x1p-53;
+// Relative error from which a normal or a direction is made from integers.
+constexpr double kIllConditioned = 1e-13;
+
+double to_double(const Integer& value, long shift) {
+  long exponent;
+  const double mantissa = mpz_get_d_2exp(&exponent, value.get_mpz_t());
+  return ldexp_3(mantissa, exponent - shift);
+}
+
+Direction3 to_doubles(const IntegerVector& a, long shift) {
+  return {to_double(a.x, shift), to_double(a.y, shift), to_double(a.z, shift)};
+}
+
+// Those of the first power that is not zero.
+long leading_bits(const std::array<IntegerVector, 3>& powers) {
+  return bits(!is_zero(powers[0]) ? powers[0] : !is_zero(powers[1]) ? powers[1] : powers[2]);
+}
+
+template <class Real>
+LocalVector3<Real> wide(const IntegerVector& a, long shift) {
+  LocalVector3<Real> result;
+  integer_reals::set_quotient(a.x, 1, shift, result.x);
+  integer_reals::set_quotient(a.y, 1, shift, result.y);
+  integer_reals::set_quotient(a.z, 1, shift, result.z);
+  return result;
+}
+
+MovingVector3 rounded_powers(const std::array<IntegerVector, 3>& powers, double base) {
+  const long shift = leading_bits(powers) - 53;
+  MovingVector3 result{rounded(powers[0], shift), to_doubles(powers[1], shift), to_doubles(powers[2], shift)};
+  result.base = base;
+  return result;
+}
+
+template <class Real>
+WideVector3<Real> wide_powers(const std::array<IntegerVector, 3>& powers, double base) {
+  const long shift = leading_bits(powers);
+  return {wide<Real>(powers[0], shift), wide<Real>(powers[1], shift), wide<Real>(powers[2], shift), base};
+}
+
+}  // namespace
+
+bool MovingPlanes3::is_fine(const MovingVector3& vector, double low, double high) const {
+  const double s = shortest_between(vector, low - t_, high - t_);
+  const Direction3 d = value_at(vector, s);
+  const double lost =
+      vector.first.error +
+      32 * kUnit * (vector.terms[0] + std::fabs(s) * (vector.terms[1] + std::fabs(s) * vector.terms[2]));
+  return lost <= kIllConditioned * size_of(d);
+}
+
+std::pair<MovingPlanes3::ExactPolynomial, double> MovingPlanes3::about_shortest(const ExactPolynomial& exact,
+                                                                                double low, double high) const {
+  const auto& powers = exact.powers;
+  const long top = std::max({bits(powers[0]), bits(powers[1]), bits(powers[2])});
+  const MovingVector3 about{rounded(powers[0], top - 53), to_doubles(powers[1], top - 53),
+                            to_doubles(powers[2], top - 53)};
+  const double t = t_ + shortest_between(about, low - t_, high - t_);
+  // s = (p / q) with q a power of two, and everything times q^2.
+  Integer p;
+  unsigned places;
+  split_double_3(t, p, places);
+  Integer here = mantissa_;
+  const unsigned common = std::max(places, places_);
+  p <<= common - places;
+  here <<= common - places_;
+  p -= here;
+  const auto scaled = [&](const IntegerVector& a, unsigned times) {
+    IntegerVector b = a;
+    for (Integer* value : {&b.x, &b.y, &b.z}) *value <<= times * common;
+    return b;
+  };
+  return {{{sum(sum(scaled(powers[0], 2), multiple(p, scaled(powers[1], 1))), multiple(p * p, powers[2])),
+            sum(scaled(powers[1], 2), multiple(2 * p, scaled(powers[2], 1))), scaled(powers[2], 2)}},
+          t};
+}
+
+MovingVector3 MovingPlanes3::fine_normal(PlaneId3 plane, double low, double high) {
+  MovingVector3 result = normal(plane);
+  result.base = t_;
+  if (is_fine(result, low, high)) return result;
+  const auto [about, base] = about_shortest({{exact_normal(plane), exact_turn(plane), {}}}, low, high);
+  return rounded_powers(about.powers, base);
+}
+
+MovingVector3 MovingPlanes3::fine_direction(const MovingCorner3& corner, double low, double high) {
+  MovingVector3 result = corner.direction;
+  result.base = t_;
+  if (is_fine(result, low, high)) return result;
+  const auto [about, base] = about_shortest(exact_direction(corner), low, high);
+  return rounded_powers(about.powers, base);
+}
+
+template <class Real>
+WideVector3<Real> MovingPlanes3::wide_normal(PlaneId3 plane, double low, double high) {
+  const auto [about, base] = about_shortest({{exact_normal(plane), exact_turn(plane), {}}}, low, high);
+  return wide_powers<Real>(about.powers, base);
+}
+
+template <class Real>
+WideVector3<Real> MovingPlanes3::wide_direction(const MovingCorner3& corner, double low, double high) {
+  const auto [about, base] = about_shortest(exact_direction(corner), low, high);
+  return wide_powers<Real>(about.powers, base);
+}
+
+template WideVector3<long double> MovingPlanes3::wide_normal(PlaneId3, double, double);
+template WideVector3<WideReal> MovingPlanes3::wide_normal(PlaneId3, double, double);
+template WideVector3<long double> MovingPlanes3::wide_direction(const MovingCorner3&, double, double);
+template WideVector3<WideReal> MovingPlanes3::wide_direction(const MovingCorner3&, double, double);
+
+}  // namespace hottel

@@ -1,0 +1,106 @@
+// The exchange measure of two patches, with all that stands between them.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "geometry/space/arrangement/blockers.h"
+#include "geometry/space/arrangement/patch.h"
+#include "geometry/space/unobstructed/pair_result.h"
+#include "geometry/space/unobstructed/unobstructed.h"
+
+namespace hottel {
+
+struct PairDetails3;
+struct PairSetting3;
+class FirstMet3;
+class Hiders3;
+class PairRow3;
+
+// Measures pairs of patches among the polygons of a scene.
+//
+// Where many surfaces may stand between, one of the patches is cut in two, again and again, as long as the hulls of the
+// halves and the other patch hold so many fewer that both together cost less: what a pair costs grows faster than the
+// number of surfaces between. So is a pair whose integrals do not converge. The measures, errors and bounds of the
+// parts are summed.
+//
+// Neighbours in one plane hide as one polygon where their union is convex (MergedBlockers3). Patches stay as they are.
+//
+// First it is asked whether convex bodies and large surfaces hide all (Hiders3), of halves too. Surfaces that no line
+// from the first patch meets first are left out, all at once (FirstMet3).
+//
+// All of the sky is measured in cones of directions (sky_cones()), and so is a part of it that is given as one.
+//
+// For several threads at once: what is kept between calls is made beforehand; each call has working memory of its own.
+class PairMeasurer3 {
+ public:
+  // REQUIRES: the blockers outlive this, and no two of them share an area of one plane (validate of Scene3).
+  explicit PairMeasurer3(const Blockers3& blockers);
+  ~PairMeasurer3();
+
+  // REQUIRES: patches of these blockers, as Patch3 says; of the sky only the second. `details`, where it is not null,
+  // is told what the measure is made of (pair_details.h), with everything that may stand between walked: of stretches
+  // only where it is the sum along edges. The number is the same bit for bit without them.
+  PairMeasure3 measure(const Patch3& i, const Patch3& j, const PairRequest3& request = {},
+                       PairDetails3* details = nullptr) const;
+
+  // Returns how many surfaces may stand between two patches: 0 where the pair is hidden or clear. What such a pair
+  // costs grows with it. COST: some 10 microseconds.
+  std::size_t count_between(const Patch3& i, const Patch3& j) const;
+
+ private:
+  friend class PairRow3;
+  struct Halves;
+
+  // Of patches whose surfaces are those of `merged`. Where `first_met`, of the first one, is null, everything that may
+  // stand between is walked.
+  PairMeasure3 measure(const Patch3& i, const Patch3& j, const PairRequest3& request, PairDetails3* details,
+                       FirstMet3* first_met) const;
+  PairMeasure3 measure_sky(const Patch3& i, const PairRequest3& request, PairDetails3* details,
+                           FirstMet3* first_met) const;
+  bool are_hidden(const Patch3& i, const Patch3& j, const FirstMet3& first_met, int questions) const;
+  bool are_hidden(const PairSetting3& setting, const Patch3& i, const Patch3& j, const FirstMet3& first_met) const;
+  // `cuts`: how often patches may still be cut.
+  PairMeasure3 measure_set(const PairSetting3& setting, const Patch3& i, const Patch3& j, const PairRequest3& request,
+                           int cuts, PairDetails3* details, const FirstMet3* first_met) const;
+  // Both ways to cut a pair in two; what it costs at least, about, where it is cut up to so many times; and the halves
+  // of the cheaper way, where these cost less than the whole.
+  Halves halves(const PairSetting3& setting, const Patch3& i, const Patch3& j, bool cuts_first,
+                const FirstMet3* first_met) const;
+  std::array<Halves, 2> both_halves(const PairSetting3& setting, const Patch3& i, const Patch3& j,
+                                    const FirstMet3* first_met) const;
+  Halves cheaper_halves(const PairSetting3& setting, const Patch3& i, const Patch3& j,
+                        const FirstMet3* first_met) const;
+  double least_work(const Halves& halves, const Patch3& i, const Patch3& j, int cuts, const FirstMet3* first_met) const;
+  std::unique_ptr<Halves> worthwhile_halves(const PairSetting3& setting, const Patch3& i, const Patch3& j,
+                                            const FirstMet3* first_met) const;
+  PairMeasure3 measure_halves(const Halves& halves, const Patch3& i, const Patch3& j, const PairRequest3& request,
+                              int cuts, const FirstMet3* first_met) const;
+  // What two patches exchange with nothing between them.
+  UnobstructedMeasure3 measure_alone(const Patch3& i, const Patch3& j, double tolerance, Effort3 effort) const;
+  double least_area(const Patch3& i, const Patch3& j) const;
+  PairMeasure3 measure_along(const PairSetting3& setting, const Patch3& i, const Patch3& j, const PairRequest3& request,
+                             PairDetails3* details) const;
+
+  struct Prepared;
+  std::unique_ptr<const Prepared> prepared_;
+};
+
+// The pairs of one patch with others: the same numbers as those of PairMeasurer3, bit for bit, with what is known of
+// the patch kept from one to the next. For one thread at a time.
+class PairRow3 {
+ public:
+  // REQUIRES: the measurer outlives this. COST: a byte a surface.
+  PairRow3(const PairMeasurer3& measurer, const Patch3& i);
+  ~PairRow3();
+  PairRow3(PairRow3&&) noexcept;
+  PairRow3& operator=(PairRow3&&) noexcept;
+
+  PairMeasure3 measure(const Patch3& j, const PairRequest3& request = {});
+
+ private:
+  const PairMeasurer3* measurer_;
+  std::unique_ptr<FirstMet3> first_met_;
+};
+
+}  // namespace hottel
