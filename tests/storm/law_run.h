@@ -131,7 +131,7 @@ class LawRun {
     if (++result_.failures[l] > 1) return;
     const auto fails = [&](const Scene& some) { return !verdict(laws_[l], some, number).empty(); };
     if (!fails(scene)) return;
-    Scene least = Kind::shrunk(scene, fails);
+    Scene least = options_.shrinks ? Kind::shrunk(scene, fails) : scene;
     std::string what = verdict(laws_[l], least, number);
     result_.examples.push_back({number, laws_[l].name, std::move(what), std::move(least)});
   }

@@ -11,6 +11,7 @@ struct StormOptions {
   std::uint64_t scenes = 10'000;
   int k = 0;              // in the plane: of the lattice {0, ..., k}^2; 0: 2 to 6 in turn
   bool all_laws = false;  // every law on every scene, not one in Law::every
+  bool shrinks = true;    // a scene that breaks a law, to what breaks it
   unsigned threads = 1;
   std::function<void(std::uint64_t done)> progress = {};  // called by one thread
 };

@@ -67,6 +67,7 @@ int main(int argc, char** argv) {
   std::string law;
   app.add_option("--law", law, "this one alone")->type_name("NAME");
   app.add_flag("--all", options.all_laws, "every law on every scene");
+  app.add_flag("!--whole", options.shrinks, "show a scene that breaks a law as it is, not shrunk");
   CLI11_PARSE(app, argc, argv);
   if ((are_solids || are_rooms || is_hiding) && dimension != 3) {
     fmt::print(stderr, "hottel_storm: {} goes with --dimension 3\n",

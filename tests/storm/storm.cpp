@@ -56,7 +56,7 @@ std::string report(const StormResult& result, const std::vector<Law>& which) {
     text += fmt::format("{:24} {:>12}\n", to_string(static_cast<Contact>(c)), result.contacts[c]);
   for (const Failed<Edges>& failure : result.examples) {
     Scene2 scene = oracle::to_scene(failure.scene);
-    scene.about = fmt::format("Scene {} of the storm, shrunk: {}.", failure.number, failure.law);
+    scene.about = fmt::format("Scene {} of the storm: {}.", failure.number, failure.law);
     text += fmt::format("\nscene {} breaks {}:\n{}{}", failure.number, failure.law, failure.what, write_scene_2(scene));
   }
   return text;

@@ -92,6 +92,16 @@ struct PairEntry {
   bool is_enclosed = false;
 };
 
+// No element sends or gets more than its area. So both factors of a pair are of one S, also where one of them is 1.
+void keep_within_areas(const ElementTable3& table, PairSum3& pair) {
+  for (const std::uint32_t label : {pair.i, pair.j}) {
+    if (label == table.sky()) continue;
+    const Rounded& area = table.extent(label);
+    pair.measure = std::min(pair.measure, area.value);
+    pair.bounds.upper = std::min(pair.bounds.upper, area.enclosure().upper);
+  }
+}
+
 Enclosure bounds_of(const ElementTable3& table, const PairSum3& pair, std::uint32_t from) {
   const Enclosure area = table.extent(from).enclosure();
   const double lower = pair.bounds.lower > 0 ? std::nextafter(pair.bounds.lower / area.upper, 0.0) : 0;
@@ -347,6 +357,7 @@ ExchangeMatrix ExchangeRows3::matrix(ExchangeReport3* report) {
   std::erase_if(pairs_, [this](const PairSum3& pair) {
     return pair.is_zero() || (is_chosen_[pair.i] == 0 && is_chosen_[pair.j] == 0);
   });
+  for (PairSum3& pair : pairs_) keep_within_areas(table_, pair);
   std::ranges::sort(pairs_, {}, [](const PairSum3& pair) { return std::pair(pair.i, pair.j); });
   if (!without_sky_.empty() || is_by_closure()) {
     std::ranges::sort(without_sky_, {}, &FailedPair3::i);

@@ -11,7 +11,6 @@
 #include "geometry/scene_names.h"
 #include "geometry/space/arrangement/whole_patch.h"
 #include "geometry/space/prepared/area_sum.h"
-#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/division.h"
 #include "geometry/space/scene/plane_frame.h"
 #include "geometry/unit_of_length.h"

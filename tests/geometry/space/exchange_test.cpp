@@ -120,6 +120,18 @@ TEST(Exchange3, FactorsAreReciprocal) {
     }
 }
 
+TEST(Exchange3, BothFactorsAreOfOneMeasureWhereOneIsOne) {
+  const PreparedScene3 scene = prepared(R"({"hottel": 1, "dimension": 3, "materials": {"m": {"reflectivity": 0.5}},
+    "polygons": [
+      {"name": "floor", "points": [[5, 2, 0], [4, 2, 0], [4, 3, 0], [0, 3, 0], [0, 0, 0], [5, 0, 0]], "material": "m"},
+      {"name": "sheet", "points": [[2.0096, 0.5, 1e-10], [2, 0.5, 1e-10], [2, 0, 1e-10]], "back": "m"}]})");
+  const ExchangeMatrix matrix = exact_exchange(scene, {.wants_measures = true});
+  EXPECT_EQ(matrix.factor("sheet:back", "floor").value, 1);
+  EXPECT_DOUBLE_EQ(matrix.factor("floor", "sheet:back").value, 0.0024 / 14);
+  EXPECT_LE(matrix.measures(0)[0], 0.0024 * (1 + 0x1p-52));
+  EXPECT_LE(matrix.bounds(0, 0).upper, 0.0024 / 14 * (1 + 0x1p-50));
+}
+
 TEST(Exchange3, FactorsOfElementsSumToThoseOfTheirFaces) {
   const PreparedScene3 room = scene_file("two_boxes.json", 2);
   const ExchangeMatrix faces = exact_exchange(room);

@@ -109,7 +109,7 @@ std::string report(const HidingStormResult3& result, const std::vector<HidingLaw
     text += fmt::format("{:24} {:>12}\n", to_string(static_cast<HidingSight3>(s)), result.sights[s]);
   for (const Failed<Polygons3>& failure : result.examples) {
     Scene3 scene = scene_of_polygons_3(failure.scene);
-    scene.about = fmt::format("Scene {} of the storm of hiding, shrunk: {}.", failure.number, failure.law);
+    scene.about = fmt::format("Scene {} of the storm of hiding: {}.", failure.number, failure.law);
     text += fmt::format("\nscene {} breaks {}:\n{}{}", failure.number, failure.law, failure.what, write_scene_3(scene));
   }
   return text;

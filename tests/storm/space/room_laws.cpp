@@ -51,8 +51,6 @@ std::string rows_are_wrong(const ExchangeMatrix& matrix, double tolerance) {
       lower += static_cast<long double>(bounds.lower);
       upper += static_cast<long double>(bounds.upper);
       errors += static_cast<long double>(error_of(matrix, i, k, tolerance));
-      if (row[k].to != matrix.sky() && !matrix.elements()[row[k].to].material)
-        wrong += pair_text(matrix, i, row[k]) + ": a black back\n";
     }
     const double off = static_cast<double>(sum - 1), slack = kRounding * static_cast<double>(row.size());
     if (!(std::abs(off) <= static_cast<double>(errors) + slack))
@@ -102,6 +100,17 @@ std::string measured_is_broken(const RoomSubject3& subject) {
 }
 
 std::string rows_are_broken(const RoomSubject3& subject) { return of_both(subject, rows_are_wrong); }
+
+std::string backs_are_broken(const RoomSubject3& subject) {
+  return of_both(subject, [](const ExchangeMatrix& matrix, double) {
+    std::string wrong;
+    for (std::uint32_t i = 0; i < matrix.size(); ++i)
+      for (const FactorEntry& entry : matrix.row(i))
+        if (entry.to != matrix.sky() && !matrix.elements()[entry.to].material)
+          wrong += pair_text(matrix, i, entry) + "\n";
+    return wrong;
+  });
+}
 
 std::string range_is_wrong(const ExchangeMatrix& matrix, double tolerance) {
   std::string wrong;
@@ -233,6 +242,7 @@ RoomSubject3::RoomSubject3(SolidBodies3 bodies, std::uint64_t chance)
 const std::vector<RoomLaw3>& room_laws_3() {
   static const std::vector<RoomLaw3> laws{{"measured", measured_is_broken, 1, true},
                                           {"rows", rows_are_broken, 1},
+                                          {"backs", backs_are_broken, 1},
                                           {"range", range_is_broken, 1},
                                           {"reciprocity", reciprocity_is_broken, 1},
                                           {"verdicts", verdicts_are_broken, 1},

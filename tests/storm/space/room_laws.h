@@ -55,7 +55,8 @@ struct RoomLaw3 {
 //
 //   measured     every pair is measured within 1e-9 and within 1e-12
 //   rows         within both tolerances each row sums to 1 within the sum of the errors of its entries, and its bounds
-//                hold 1; within 1e-12 it sums to 1 within 1e-11. No row has a black back
+//                hold 1; within 1e-12 it sums to 1 within 1e-11
+//   backs        no row has a black back
 //   range        0 < F, 0 < Vis <= 1, bounds hold F, and those of an enclosed one are as narrow as was asked for
 //   reciprocity  S and its bounds are the same from both faces, and Vis
 //   verdicts     whether S = 0, and whether S = S0, is the same for both tolerances

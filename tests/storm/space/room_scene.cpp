@@ -80,6 +80,11 @@ class Furnisher {
   Rational foot() { return below(3) == 0 ? gap() : Rational(0); }
   // How far two that should be flush are not.
   Rational step() { return below(3) == 0 ? Rational(0) : below(2) == 0 ? tiny() : -tiny(); }
+  // All but a length, and above 0.
+  Rational nearly(const Rational& length) {
+    const Rational other = length + step();
+    return other > 0 ? other : length;
+  }
 
   std::size_t polygons() const {
     std::size_t count = 0;
@@ -206,9 +211,9 @@ class Furnisher {
     for (long k = 0; k < count; ++k) {
       const Rational width = length(8, 24), d = below(2) == 0 ? off : gap();
       if (s + width > length_of(wall)) break;
-      const Rational deep = below(2) == 0 ? Rational(depth + step()) : length(6, 14);
+      const Rational deep = below(2) == 0 ? nearly(depth) : length(6, 14);
       const Rational low = foot();
-      const Rational top = below(2) == 0 ? Rational(high + step()) : length(14, 44);
+      const Rational top = below(2) == 0 ? nearly(high) : length(14, 44);
       add_prism(at_wall(wall, s, width, d, deep), low, top);
       if (below(4) == 0) add_on_top(wall, s, width, d, deep, top);
       s += width + slit();
@@ -230,9 +235,8 @@ class Furnisher {
     const Rational low = foot();
     add_prism(at_wall(wall, length_of(wall) - width - end, width, off, depth), low, high);
     const Rational from = below(3) == 0 ? gap() : Rational(off + depth + slit());
-    const Rational wide = length(8, 20), other = gap(), deep = depth + step(), bottom = foot();
-    add_prism(at_wall(wall + 1, from, wide, other, deep), bottom,
-              below(2) == 0 ? Rational(high + step()) : length(14, 44));
+    const Rational wide = length(8, 20), other = gap(), deep = nearly(depth), bottom = foot();
+    add_prism(at_wall(wall + 1, from, wide, other, deep), bottom, below(2) == 0 ? nearly(high) : length(14, 44));
   }
 
   // Twice the angle of this tangent is an ordinary angle, or all but none.
@@ -312,7 +316,7 @@ class Furnisher {
     Rational high = length(10, 24);
     for (long k = 0; k < count && high < height_ - 1; ++k) {
       const Rational aside = below(3) == 0 ? Rational(abs(step())) : Rational(0), off = gap();
-      const Plan plan = at_wall(wall, s + aside, width, off, below(2) == 0 ? depth : Rational(depth + step()));
+      const Plan plan = at_wall(wall, s + aside, width, off, below(2) == 0 ? depth : nearly(depth));
       if (shape == 0)
         add_sheet({at(plan[0], high), at(plan[1], high), at(plan[2], high), at(plan[3], high)});
       else

@@ -54,7 +54,7 @@ std::string report(const RoomStormResult3& result, const std::vector<RoomLaw3>& 
   text += fmt::format("{:24} {:>12}\n", "two materials", result.disputed);
   for (const Failed<SolidBodies3>& failure : result.examples) {
     Scene3 scene = to_scene_3(failure.scene);
-    scene.about = fmt::format("Scene {} of the storm of rooms, shrunk: {}.", failure.number, failure.law);
+    scene.about = fmt::format("Scene {} of the storm of rooms: {}.", failure.number, failure.law);
     text += fmt::format("\nscene {} breaks {}:\n{}{}", failure.number, failure.law, failure.what, write_scene_3(scene));
   }
   return text;

@@ -88,7 +88,7 @@ std::string report(const SolidStormResult3& result, const std::vector<SolidLaw3>
     text += fmt::format("{:24} {:>12}\n", to_string(static_cast<SolidSight3>(s)), result.sights[s]);
   for (const Failed<SolidBodies3>& failure : result.examples) {
     Scene3 scene = to_scene_3(failure.scene);
-    scene.about = fmt::format("Scene {} of the storm of solids, shrunk: {}.", failure.number, failure.law);
+    scene.about = fmt::format("Scene {} of the storm of solids: {}.", failure.number, failure.law);
     text += fmt::format("\nscene {} breaks {}:\n{}{}", failure.number, failure.law, failure.what, write_scene_3(scene));
   }
   return text;

@@ -101,7 +101,7 @@ std::string report(const StormResult3& result, const std::vector<Law3>& which) {
     text += fmt::format("{:24} {:>12}\n", to_string(static_cast<Settled3>(k)), result.settled[k]);
   for (const Failed<Polygons3>& failure : result.examples) {
     Scene3 scene = to_scene_3(failure.scene);
-    scene.about = fmt::format("Scene {} of the storm in space, shrunk: {}.", failure.number, failure.law);
+    scene.about = fmt::format("Scene {} of the storm in space: {}.", failure.number, failure.law);
     text += fmt::format("\nscene {} breaks {}:\n{}{}", failure.number, failure.law, failure.what, write_scene_3(scene));
   }
   return text;
