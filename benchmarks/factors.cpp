@@ -28,7 +28,7 @@ void factors(benchmark::State& state, View view, std::uint64_t edges, int thread
     const PreparedScene2 prepared = prepare(std::move(copy));
     const ExchangeMatrix matrix = exact_exchange(prepared, {}, &report);
     peak = memory.growth();
-    remains = static_cast<double>(matrix.entry_count() * sizeof(FactorEntry));
+    remains = static_cast<double>(matrix.entry_count() * ExchangeMatrix::kBytesAnEntry);
     pairs = static_cast<double>(report.pairs);
     double iteration = 0;
     for (const auto& [stage, time] : report.seconds) {

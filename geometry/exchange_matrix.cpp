@@ -16,11 +16,11 @@ namespace {
 
 }  // namespace
 
-void ExchangeMatrix::assign(std::vector<std::size_t> begin, std::vector<FactorEntry> entries,
-                            std::vector<double> measures, std::vector<Enclosure> bounds,
-                            std::vector<Guarantee> guarantees) {
+void ExchangeMatrix::assign(std::vector<std::size_t> begin, FactorEntries entries, std::vector<double> measures,
+                            std::vector<Enclosure> bounds, std::vector<Guarantee> guarantees) {
   begin_ = std::move(begin);
   entries_ = std::move(entries);
+  if (std::ranges::all_of(entries_.sides_, [](signed char side) { return side == 0; })) entries_.sides_ = {};
   measures_ = std::move(measures);
   bounds_ = std::move(bounds);
   guarantees_ = std::move(guarantees);
@@ -61,7 +61,7 @@ void ExchangeMatrix::require_lists() const {
 }
 
 void ExchangeMatrix::require_guarantee(std::uint32_t i, std::size_t k) const {
-  const Rounded& factor = row(i)[k].factor;
+  const Rounded factor = row(i)[k].factor;
   const Guarantee guaranteed = guarantee(i, k);
   if (guaranteed == Guarantee::kExact) {
     const bool is_positive = factor.value > 0 || (factor.value == 0 && factor.side > 0);
@@ -79,16 +79,13 @@ void ExchangeMatrix::require_guarantee(std::uint32_t i, std::size_t k) const {
 }
 
 Enclosure ExchangeMatrix::bounds(std::uint32_t i, std::size_t k) const {
-  const std::size_t place = begin_[i] + k;
-  if (guarantee(i, k) == Guarantee::kExact) return entries_[place].factor.enclosure();
-  return bounds_.empty() ? Enclosure{0, 1} : bounds_[place];
+  if (guarantee(i, k) == Guarantee::kExact) return row(i)[k].factor.enclosure();
+  return bounds_.empty() ? Enclosure{0, 1} : bounds_[begin_[i] + k];
 }
 
 Rounded ExchangeMatrix::factor(std::uint32_t from, std::uint32_t to) const {
-  const auto entries = row(from);
-  const auto place = std::lower_bound(entries.begin(), entries.end(), to,
-                                      [](const FactorEntry& entry, std::uint32_t column) { return entry.to < column; });
-  return place != entries.end() && place->to == to ? place->factor : Rounded{};
+  const auto entry = row(from).find(to);
+  return entry ? entry->factor : Rounded{};
 }
 
 Rounded ExchangeMatrix::factor(const std::string& from, const std::string& to) const {

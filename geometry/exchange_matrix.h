@@ -8,16 +8,10 @@
 #include <vector>
 
 #include "geometry/element.h"
+#include "geometry/factor_entries.h"
 #include "kernel/enclosure.h"
 
 namespace hottel {
-
-// One view factor, as seen from its row.
-struct FactorEntry {
-  std::uint32_t to = 0;
-  Rounded factor;
-  double visibility = 1;  // Vis = S / S0; NaN where it was not asked for
-};
 
 // View factors F_ij by rows, sparse.
 //
@@ -28,10 +22,15 @@ struct FactorEntry {
 //   (4) of one that is kEstimated the real factor lies within bounds(), the double is a guess
 //   (5) only elements with a material and an area have a row; pairs that exchange nothing have no entry. That a pair
 //       without entry exchanges nothing is proven, unless all entries are estimated
-// COST: 32 bytes an entry, two entries a visible pair of elements with materials; 8 more with measures, 16 with bounds,
-// and 1 where entries differ in what is guaranteed of them.
+//   (6) rows are compressed: entry k of row i stands at begins()[i] + k of columns(), factors(), visibilities(), and of
+//       measures, bounds and guarantees where there are some
+// COST: 20 bytes an entry, two entries a visible pair of elements with materials; 1 more where entries are exact, 8
+// with measures, 16 with bounds, and 1 where entries differ in what is guaranteed of them.
 class ExchangeMatrix {
  public:
+  // At most, without measures, bounds and guarantees.
+  static constexpr std::size_t kBytesAnEntry = sizeof(std::uint32_t) + 2 * sizeof(double) + 1;
+
   // A matrix without elements: the sky alone.
   ExchangeMatrix() = default;
   // A matrix of these elements without entries: every factor is 0 until assign(). `guarantee`: of every entry, unless
@@ -58,10 +57,19 @@ class ExchangeMatrix {
     return elements_[i].material.has_value() && (area.value > 0 || area.side > 0);  // the double may underflow
   }
   // The entries of row i, ascending by `to`; empty where the element has no row, or exchanges nothing.
-  std::span<const FactorEntry> row(std::uint32_t i) const {
-    return {entries_.data() + begin_[i], entries_.data() + begin_[i + 1]};
+  FactorRow row(std::uint32_t i) const {
+    const std::size_t b = begin_[i];
+    return {entries_.columns_.data() + b, entries_.factors_.data() + b,
+            entries_.sides_.empty() ? nullptr : entries_.sides_.data() + b, entries_.visibilities_.data() + b,
+            begin_[i + 1] - b};
   }
   std::size_t entry_count() const { return entries_.size(); }
+
+  // The arrays, for those who take them as they are (scipy.sparse, HDF5, PETSc). They live as long as the matrix.
+  std::span<const std::size_t> begins() const { return begin_; }  // size() + 1 of them
+  std::span<const std::uint32_t> columns() const { return entries_.columns_; }
+  std::span<const double> factors() const { return entries_.factors_; }
+  std::span<const double> visibilities() const { return entries_.visibilities_; }
 
   // S(from, to), correctly rounded, for each entry of the row; empty unless it was asked for.
   std::span<const double> measures(std::uint32_t i) const {
@@ -87,7 +95,7 @@ class ExchangeMatrix {
   // positive; where bounds of an enclosed one are not 0 <= lower <= double <= upper, or those of an estimated one not 0
   // <= lower <= upper; where a list has not as many members as there are entries.
   // After such a throw the matrix is not to be used.
-  void assign(std::vector<std::size_t> begin, std::vector<FactorEntry> entries, std::vector<double> measures = {},
+  void assign(std::vector<std::size_t> begin, FactorEntries entries, std::vector<double> measures = {},
               std::vector<Enclosure> bounds = {}, std::vector<Guarantee> guarantees = {});
 
  private:
@@ -97,7 +105,7 @@ class ExchangeMatrix {
 
   std::vector<Element> elements_;
   std::vector<std::size_t> begin_;
-  std::vector<FactorEntry> entries_;
+  FactorEntries entries_;  // without sides where all are 0
   std::vector<double> measures_;
   std::vector<Enclosure> bounds_;      // empty: none but what the entries say
   std::vector<Guarantee> guarantees_;  // empty: all alike

@@ -154,7 +154,7 @@ class Animation {
     std::uint64_t entries = 0;
     for (std::uint32_t i = 0; i < matrix.size(); ++i)
       if (matrix.has_row(i)) entries += matrix.row(i).size();
-    return 2 * entries * sizeof(FactorEntry) + std::uint64_t{4} * matrix.size() * matrix.size();
+    return 2 * entries * ExchangeMatrix::kBytesAnEntry + std::uint64_t{4} * matrix.size() * matrix.size();
   }
 
   static std::size_t common(const std::vector<ElementId>& a, const std::vector<ElementId>& b) {

@@ -66,14 +66,14 @@ std::uint8_t sides(const Rounded& a, const Rounded& b) {
   return static_cast<std::uint8_t>((a.side + 1) + 3 * (b.side + 1));
 }
 
-const FactorEntry* entry_of(const ExchangeMatrix& matrix, std::uint32_t from, std::uint32_t to, double* measure) {
-  if (from == matrix.sky()) return nullptr;
-  const auto row = matrix.row(from);
-  const auto place = std::ranges::lower_bound(row, to, {}, &FactorEntry::to);
-  if (place == row.end() || place->to != to) return nullptr;
-  if (const auto measures = matrix.measures(from); !measures.empty())
-    *measure = measures[static_cast<std::size_t>(place - row.begin())];
-  return &*place;
+std::optional<FactorEntry> entry_of(const ExchangeMatrix& matrix, std::uint32_t from, std::uint32_t to,
+                                    double* measure) {
+  if (from == matrix.sky()) return std::nullopt;
+  const FactorRow row = matrix.row(from);
+  const auto place = row.place_of(to);
+  if (!place) return std::nullopt;
+  if (const auto measures = matrix.measures(from); !measures.empty()) *measure = measures[*place];
+  return row[*place];
 }
 
 Seen seen_of(double visibility, double factor) {
@@ -84,11 +84,12 @@ Seen seen_of(double visibility, double factor) {
 
 bool is_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
-void write_pair(const ExchangeMatrix& matrix, const FactorEntry* forth, const FactorEntry* back, std::uint32_t i,
-                std::uint32_t j, std::optional<double> measure, NumberWriter& out) {
-  const FactorEntry& known = forth != nullptr ? *forth : *back;
+void write_pair(const ExchangeMatrix& matrix, const std::optional<FactorEntry>& forth,
+                const std::optional<FactorEntry>& back, std::uint32_t i, std::uint32_t j, std::optional<double> measure,
+                NumberWriter& out) {
+  const FactorEntry& known = forth ? *forth : *back;
   std::optional<std::int64_t> away;
-  if (forth != nullptr && back != nullptr) {
+  if (forth && back) {
     const auto expected =
         place_of(expected_back(forth->factor.value, matrix.elements()[i].area.value, matrix.elements()[j].area.value));
     const auto there = place_of(back->factor.value);
@@ -96,15 +97,15 @@ void write_pair(const ExchangeMatrix& matrix, const FactorEntry* forth, const Fa
   }
   const Seen seen = seen_of(known.visibility, known.factor.value);
   const Rounded none;
-  const bool has_sides = (forth != nullptr && forth->factor.side != 0) || (back != nullptr && back->factor.side != 0);
-  out.byte(static_cast<std::uint8_t>((forth != nullptr ? kForth : 0) | (back != nullptr ? kBack : 0) |
-                                     (back != nullptr && !away ? kBackIsFar : 0) | (measure ? kMeasure : 0) |
-                                     (static_cast<int>(seen) << kVisibilityShift) | (has_sides ? 1 << kSideShift : 0)));
-  if (has_sides) out.byte(sides(forth != nullptr ? forth->factor : none, back != nullptr ? back->factor : none));
-  if (forth != nullptr) out.number(forth->factor.value);
+  const bool has_sides = (forth && forth->factor.side != 0) || (back && back->factor.side != 0);
+  out.byte(static_cast<std::uint8_t>((forth ? kForth : 0) | (back ? kBack : 0) | (back && !away ? kBackIsFar : 0) |
+                                     (measure ? kMeasure : 0) | (static_cast<int>(seen) << kVisibilityShift) |
+                                     (has_sides ? 1 << kSideShift : 0)));
+  if (has_sides) out.byte(sides(forth ? forth->factor : none, back ? back->factor : none));
+  if (forth) out.number(forth->factor.value);
   if (away)
     out.byte(static_cast<std::uint8_t>(*away + 128));
-  else if (back != nullptr)
+  else if (back)
     out.number(back->factor.value);
   if (seen == Seen::kPart) out.number(known.visibility);
   if (measure) out.number(*measure);
@@ -174,7 +175,7 @@ bool keep_matrix(const ExchangeMatrix& matrix, const PairRanges& known,
     for (const FactorEntry& entry : matrix.row(i))
       if (entry.to < i && matrix.has_row(entry.to)) {
         double ignored = 0;
-        if (entry_of(matrix, entry.to, i, &ignored) == nullptr) columns[entry.to].push_back(i);
+        if (!entry_of(matrix, entry.to, i, &ignored)) columns[entry.to].push_back(i);
       }
   std::vector<KeptRow> rows;
   std::size_t bytes = 0;
@@ -187,9 +188,9 @@ bool keep_matrix(const ExchangeMatrix& matrix, const PairRanges& known,
       if (known.has(i, j)) continue;
       double measure = 0;
       const bool has_measure = !matrix.measures(i).empty() || (j < n && !matrix.measures(j).empty());
-      const FactorEntry* const forth = entry_of(matrix, i, j, &measure);
-      const FactorEntry* const back = j == i ? nullptr : entry_of(matrix, j, i, &measure);
-      if (forth != nullptr && back != nullptr && !is_same(forth->visibility, back->visibility)) return false;
+      const std::optional<FactorEntry> forth = entry_of(matrix, i, j, &measure);
+      const std::optional<FactorEntry> back = j == i ? std::nullopt : entry_of(matrix, j, i, &measure);
+      if (forth && back && !is_same(forth->visibility, back->visibility)) return false;
       row.to.push_back(j);
       write_pair(matrix, forth, back, i, j, has_measure ? std::optional(measure) : std::nullopt, out);
     }
@@ -224,13 +225,13 @@ std::optional<ExchangeMatrix> kept_matrix(const std::vector<KeptRows>& kept, con
   }
   for (std::size_t i = 0; i < elements.size(); ++i) begin[i + 1] += begin[i];
   const bool with_measures = (what & kKeptMeasures) != 0;
-  std::vector<FactorEntry> entries(begin.back());
+  FactorEntries entries(begin.back());
   std::vector<double> measures(with_measures ? begin.back() : 0);
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
   const auto set = [&](std::uint32_t from, std::uint32_t to, const Rounded& factor, const ReadPair& pair) {
     const bool is_seen = to == sky || (what & kKeptVisibilities) != 0;
     const std::size_t place = next[from]++;
-    entries[place] = {to, factor, is_seen ? pair.visibility : std::numeric_limits<double>::quiet_NaN()};
+    entries.set(place, {to, factor, is_seen ? pair.visibility : std::numeric_limits<double>::quiet_NaN()});
     if (with_measures) measures[place] = pair.measure;
   };
   for (const ReadPair& pair : pairs) {

@@ -1,7 +1,5 @@
 #include "solver/kept_report.h"
 
-#include <algorithm>
-
 #include "solver/kept_pairs.h"
 
 namespace hottel {
@@ -48,10 +46,7 @@ std::uint64_t pair_count(const ExchangeMatrix& matrix) {
   std::uint64_t count = 0;
   for (std::uint32_t i = 0; i < matrix.size(); ++i)
     for (const FactorEntry& entry : matrix.row(i)) {
-      const bool is_told = entry.to < i && matrix.has_row(entry.to) && [&] {
-        const auto row = matrix.row(entry.to);
-        return std::ranges::binary_search(row, i, {}, &FactorEntry::to);
-      }();
+      const bool is_told = entry.to < i && matrix.has_row(entry.to) && matrix.row(entry.to).place_of(i);
       count += is_told ? 0 : 1;
     }
   return count;

@@ -26,11 +26,13 @@ void normalise(std::span<FactorEntry> row) {
 
 ExchangeMatrix normalised(const ExchangeMatrix& matrix) {
   std::vector<std::size_t> begin(matrix.size() + 1, 0);
-  std::vector<FactorEntry> entries;
+  FactorEntries entries;
   entries.reserve(matrix.entry_count());
+  std::vector<FactorEntry> row;
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-    entries.insert(entries.end(), matrix.row(i).begin(), matrix.row(i).end());
-    normalise(std::span(entries).subspan(begin[i]));
+    row.assign(matrix.row(i).begin(), matrix.row(i).end());
+    normalise(row);
+    entries.append(row);
     begin[i + 1] = entries.size();
   }
   ExchangeMatrix result(matrix.elements(), Guarantee::kEstimated);

@@ -198,7 +198,7 @@ ExchangeMatrix match_foreign_matrix(const ForeignMatrix& foreign, std::vector<El
     return a.row != b.row ? a.row < b.row : a.column < b.column;
   });
   std::vector<std::size_t> begin(matrix.size() + 1, 0);
-  std::vector<FactorEntry> factors;
+  FactorEntries factors;
   for (const ForeignEntry& entry : entries) {
     ++begin[entry.row + 1];
     factors.push_back({entry.column, {entry.value, 0}, std::numeric_limits<double>::quiet_NaN()});

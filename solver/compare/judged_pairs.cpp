@@ -8,7 +8,7 @@ namespace hottel {
 JudgedPairs::JudgedPairs(const ExchangeMatrix& exact, const ExchangeMatrix& matrix, double beyond,
                          const WrittenFactors& written)
     : exact_(&exact), matrix_(&matrix), beyond_(beyond), written_(written), begin_(exact.size() + 1, 0) {
-  const auto add = [&](std::uint32_t from, std::uint32_t to, double value, const FactorEntry* right) {
+  const auto add = [&](std::uint32_t from, std::uint32_t to, double value, const std::optional<FactorEntry>& right) {
     if (!written_.has_place(from, to)) return;
     JudgedPair pair{from, to, value};
     if (right) pair.exact = right->factor.value;
@@ -21,12 +21,12 @@ JudgedPairs::JudgedPairs(const ExchangeMatrix& exact, const ExchangeMatrix& matr
     auto right = exact.row(i).begin();
     const auto rights = exact.row(i).end();
     for (const FactorEntry& entry : matrix.row(i)) {
-      for (; right != rights && right->to < entry.to; ++right) add(i, right->to, 0, &*right);
+      for (; right != rights && right->to < entry.to; ++right) add(i, right->to, 0, *right);
       const bool is_common = right != rights && right->to == entry.to;
-      add(i, entry.to, entry.factor.value, is_common ? &*right : nullptr);
+      add(i, entry.to, entry.factor.value, is_common ? std::optional(*right) : std::nullopt);
       if (is_common) ++right;
     }
-    for (; right != rights; ++right) add(i, right->to, 0, &*right);
+    for (; right != rights; ++right) add(i, right->to, 0, *right);
     begin_[i + 1] = pairs_.size();
   }
   for (JudgedPair& pair : pairs_) {

@@ -58,9 +58,9 @@ ExchangeMatrix merged_matrix(const ExchangeMatrix& matrix, std::span<const std::
     }
   });
   std::vector<std::size_t> begin(1, 0);
-  std::vector<FactorEntry> entries;
+  FactorEntries entries;
   for (const std::vector<FactorEntry>& row : rows) {
-    entries.insert(entries.end(), row.begin(), row.end());
+    entries.append(row);
     begin.push_back(entries.size());
   }
   ExchangeMatrix result(std::move(whole), Guarantee::kEstimated);

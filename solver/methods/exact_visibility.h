@@ -1,7 +1,6 @@
 // Exact partial visibilities of all pairs of elements.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -35,10 +34,8 @@ class ExactVisibility {
   // Vis(i, j) = S / S0 as the matrix has it; 0 iff S = 0. REQUIRES that one of the two has a row.
   double of(std::uint32_t i, std::uint32_t j) const {
     const std::uint32_t from = exact_.has_row(i) ? i : j, to = from == i ? j : i;
-    const auto row = exact_.row(from);
-    const auto entry = std::lower_bound(row.begin(), row.end(), to,
-                                        [](const FactorEntry& e, std::uint32_t column) { return e.to < column; });
-    return entry != row.end() && entry->to == to ? entry->visibility : 0;
+    const auto entry = exact_.row(from).find(to);
+    return entry ? entry->visibility : 0;
   }
 
  private:

@@ -11,9 +11,9 @@ namespace hottel {
 
 ExchangeMatrix matrix_of_rows(const std::vector<Element>& elements, const std::vector<std::vector<FactorEntry>>& rows) {
   std::vector<std::size_t> begin{0};
-  std::vector<FactorEntry> entries;
+  FactorEntries entries;
   for (const auto& row : rows) {
-    entries.insert(entries.end(), row.begin(), row.end());
+    entries.append(row);
     begin.push_back(entries.size());
   }
   ExchangeMatrix matrix(elements, Guarantee::kEstimated);

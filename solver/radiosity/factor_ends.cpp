@@ -9,7 +9,7 @@ namespace hottel {
 
 ExchangeMatrix matrix_of_ends(const ExchangeMatrix& matrix, double Enclosure::*end) {
   std::vector<std::size_t> begin{0};
-  std::vector<FactorEntry> entries;
+  FactorEntries entries;
   entries.reserve(matrix.entry_count());
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {

@@ -165,13 +165,13 @@ ExchangeMatrix from_columns(const std::vector<Element>& elements, const std::vec
   for (const auto& column : columns)
     for (const ColumnEntry& entry : column) ++begin[entry.row + 1];
   for (std::size_t i = 0; i < elements.size(); ++i) begin[i + 1] += begin[i];
-  std::vector<FactorEntry> entries(begin.back());
+  FactorEntries entries(begin.back());
   std::vector<Enclosure> bounds(begin.back());
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
   for (std::uint32_t j = 0; j < columns.size(); ++j)
     for (const ColumnEntry& entry : columns[j]) {
       const std::size_t place = next[entry.row]++;
-      entries[place] = {j, {entry.value, 0}, std::numeric_limits<double>::quiet_NaN()};
+      entries.set(place, {j, {entry.value, 0}, std::numeric_limits<double>::quiet_NaN()});
       bounds[place] = entry.bounds;
     }
   if (guarantee == Guarantee::kEstimated) bounds.clear();

@@ -192,13 +192,10 @@ namespace {
 
 // The irradiance of one row. A row that sums to 1 is a mean: differences to its smallest value lose nothing, and none
 // is above the mean.
-DoubleDoubleBall gathered(std::span<const FactorEntry> row, const std::vector<DoubleDoubleBall>& radiosity,
-                          bool is_mean) {
+DoubleDoubleBall gathered(const FactorRow& row, const std::vector<DoubleDoubleBall>& radiosity, bool is_mean) {
   DoubleDoubleBall base;
   if (is_mean) {
-    base = radiosity[std::min_element(row.begin(), row.end(), [&](const FactorEntry& a, const FactorEntry& b) {
-                       return radiosity[a.to].hi < radiosity[b.to].hi;
-                     })->to];
+    base = radiosity[*std::ranges::min_element(row.columns(), {}, [&](std::uint32_t to) { return radiosity[to].hi; })];
     base.radius = 0;
   }
   DifferenceSum above(ErrorTerms{});
@@ -214,7 +211,7 @@ DoubleDoubleBall gathered(std::span<const FactorEntry> row, const std::vector<Do
 
 // The same, whatever the sizes of factors and radiosities. Nothing is subtracted: what is far from others in size has
 // little in common with them.
-ScaledBall gathered_far(std::span<const FactorEntry> row, const std::vector<ScaledBall>& radiosity) {
+ScaledBall gathered_far(const FactorRow& row, const std::vector<ScaledBall>& radiosity) {
   ScaledBall result;
   for (const FactorEntry& entry : row)
     result = sum(result, product(ScaledBall::of(DoubleDoubleBall::of(entry.factor)), radiosity[entry.to]));
@@ -242,7 +239,7 @@ std::vector<ScaledBall> RadiositySystem::irradiance(const std::vector<ScaledBall
       const auto row = matrix_->row(i);
       if (!matrix_->has_row(i) || row.empty()) continue;
       const bool sees_far =
-          is_any_far && std::any_of(row.begin(), row.end(), [&](const FactorEntry& e) { return is_far[e.to]; });
+          is_any_far && std::ranges::any_of(row.columns(), [&](std::uint32_t to) { return is_far[to] != 0; });
       const DoubleDoubleBall near = gathered(row, in_unit, rows_are_closed());
       result[i] = sees_far || (near.size() != 0 && near.size() < kFar) ? gathered_far(row, radiosity)
                                                                        : ScaledBall::of(near, unit);

@@ -51,8 +51,8 @@ class Entries {
   void put(std::size_t k, const PairSum2& sum, const RoundedPair2& rounded) {
     const std::uint32_t i = sum.i(), j = sum.j();
     const auto put_entry = [&](std::size_t place, std::uint32_t to, const Rounded& factor) {
-      entries_[place] = {rounded.is_zero ? kNowhere : to, factor,
-                         to == table_.sky() ? factor.value : rounded.visibility};
+      entries_.set(place,
+                   {rounded.is_zero ? kNowhere : to, factor, to == table_.sky() ? factor.value : rounded.visibility});
       if (!measures_.empty()) measures_[place] = rounded.measure;
     };
     if (table_.has_row(i)) put_entry(places_.forth(i, k), j, rounded.forth);
@@ -78,7 +78,7 @@ class Entries {
       const std::size_t end = begin[row + 1];
       for (; place < end; ++place) {
         if (entries_[place].to == kNowhere) continue;
-        entries_[kept] = entries_[place];
+        entries_.set(kept, entries_[place]);
         if (!measures_.empty()) measures_[kept] = measures_[place];
         ++kept;
       }
@@ -90,7 +90,7 @@ class Entries {
 
   const ElementTable2& table_;
   const EntryPlaces2 places_;
-  std::vector<FactorEntry> entries_;
+  FactorEntries entries_;
   std::vector<double> measures_;
 };
 

@@ -126,7 +126,7 @@ class MatrixOfSums {
     std::vector<std::size_t> begin(table_.count() + std::size_t{1}, 0);
     for_each([&](std::uint32_t from, std::uint32_t, std::size_t) { ++begin[from + 1]; });
     for (std::uint32_t i = 0; i < table_.count(); ++i) begin[i + 1] += begin[i];
-    std::vector<FactorEntry> entries(begin.back());
+    FactorEntries entries(begin.back());
     std::vector<double> measures(with_measures ? begin.back() : 0);
     std::vector<Enclosure> bounds(begin.back());
     std::vector<Guarantee> guarantees(begin.back());
@@ -135,7 +135,7 @@ class MatrixOfSums {
       const std::size_t place = next[from]++;
       bounds[place] = bounds_of(table_, pairs_[k], from);
       const double factor = factor_of(table_, pairs_[k], from, bounds[place]);
-      entries[place] = {to, {factor, 0}, to == table_.sky() ? factor : of_pair_[k].visibility};
+      entries.set(place, {to, {factor, 0}, to == table_.sky() ? factor : of_pair_[k].visibility});
       guarantees[place] = of_pair_[k].is_enclosed ? Guarantee::kEnclosed : Guarantee::kEstimated;
       if (with_measures) measures[place] = of_pair_[k].measure;
     });

@@ -127,7 +127,7 @@ ExchangeMatrix enclosed_exchange(const PreparedScene2& prepared, const std::func
       if (j != i && table.has_row(j)) visit(j, i, pair);
     });
   };
-  std::vector<FactorEntry> entries;
+  FactorEntries entries;
   std::vector<Enclosure> bounds;
   double widest = 0;
   const auto allot = [&](std::size_t count) {
@@ -138,7 +138,7 @@ ExchangeMatrix enclosed_exchange(const PreparedScene2& prepared, const std::func
     const FixedSum& length = table.length(from);
     const EnclosedQuotient factor = quotient(pair.sum(length_error), {2 * length.value, 2 * length.error});
     // Of a pair that may see each other something must be said.
-    entries[place] = entry_of(to, factor.value != 0 ? factor.value : factor.bounds.upper / 2);
+    entries.set(place, entry_of(to, factor.value != 0 ? factor.value : factor.bounds.upper / 2));
     bounds[place] = factor.bounds;
     widest = std::max({widest, factor.value - factor.bounds.lower, factor.bounds.upper - factor.value});
   };
@@ -256,11 +256,11 @@ ExchangeMatrix plain_matrix(const ElementTable2& table, const PlainSums2& sums, 
         if (j != i) visit_row(j, i, sum.value);
       }
   };
-  std::vector<FactorEntry> entries;
+  FactorEntries entries;
   std::vector<std::size_t> begin = lay_out_rows(
       table.count(), each_entry, [&](std::size_t count) { entries.resize(count); },
       [&](std::size_t place, std::uint32_t, std::uint32_t to, double factor) {
-        entries[place] = entry_of(to, factor);
+        entries.set(place, entry_of(to, factor));
       });
   ExchangeMatrix matrix(table.elements(), Guarantee::kEstimated);
   matrix.assign(std::move(begin), std::move(entries));

@@ -52,10 +52,8 @@ ExchangeMethod2::ClaimedErrors PairMethod2::claimed_errors(const PreparedScene2&
       Known{ElementGeometry2(prepared), exact_exchange(prepared, {.granularity = Granularity::kElement})});
   const auto of_pair = [this, known, &vertices = prepared.arrangement.vertices()](std::uint32_t from,
                                                                                   std::uint32_t to) {
-    const auto row = known->exact.row(from);
-    const auto entry = std::lower_bound(row.begin(), row.end(), to,
-                                        [](const FactorEntry& e, std::uint32_t column) { return e.to < column; });
-    if (entry == row.end() || entry->to != to) return 0.0;
+    const auto entry = known->exact.row(from).find(to);
+    if (!entry) return 0.0;
     if (entry->visibility < 1 && !claims_hidden_pairs()) return kNothing;
     return error_of_free_pair(vertices, known->geometry, from, to);
   };

@@ -79,12 +79,11 @@ ExchangeMatrix middle_views(const PreparedScene3& prepared, std::size_t most) {
   const std::size_t step = (with_row + most - 1) / std::max<std::size_t>(most, 1);
   ExchangeMatrix matrix(elements, Guarantee::kEstimated);
   std::vector<std::size_t> begin{0};
-  std::vector<FactorEntry> entries;
+  FactorEntries entries;
   std::size_t row = 0;
   for (std::uint32_t k = 0; k < count; ++k) {
     if (places[k] && elements[k].material && row++ % std::max<std::size_t>(step, 1) == 0) {
-      const std::vector<FactorEntry> more = entries_of(prepared, Face::of(k), *places[k], count);
-      entries.insert(entries.end(), more.begin(), more.end());
+      entries.append(entries_of(prepared, Face::of(k), *places[k], count));
     }
     begin.push_back(entries.size());
   }

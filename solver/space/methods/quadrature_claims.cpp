@@ -108,10 +108,8 @@ ExchangeMethod3::ClaimedErrors quadrature_claims_3(const PreparedScene3& prepare
   const auto known = std::make_shared<const Known>(prepared);
   const auto of_pair = [known, rule](std::uint32_t from, std::uint32_t to) {
     if (touch_as_masks(known->geometry, from, to)) return kRoundings;
-    const auto row = known->exact.row(from);
-    const auto entry = std::lower_bound(row.begin(), row.end(), to,
-                                        [](const FactorEntry& e, std::uint32_t column) { return e.to < column; });
-    if (entry == row.end() || entry->to != to) return 0.0;
+    const auto entry = known->exact.row(from).find(to);
+    if (!entry) return 0.0;
     return entry->visibility < 1 ? kNothing : error_of_whole_pair(known->geometry, rule, from, to);
   };
   return [known, of_pair](std::uint32_t from, std::uint32_t to) {

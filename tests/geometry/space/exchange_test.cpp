@@ -40,7 +40,7 @@ std::set<Pair> pairs_of(const ExchangeMatrix& matrix) {
   return pairs;
 }
 
-const FactorEntry& entry_of(const ExchangeMatrix& matrix, const std::string& from, const std::string& to) {
+FactorEntry entry_of(const ExchangeMatrix& matrix, const std::string& from, const std::string& to) {
   for (const FactorEntry& entry : matrix.row(*matrix.find(from)))
     if (entry.to == *matrix.find(to)) return entry;
   throw std::runtime_error(from + " and " + to + " exchange nothing");
@@ -124,7 +124,7 @@ TEST(Exchange3, BothFactorsAreOfOneMeasureWhereOneIsOne) {
   const PreparedScene3 scene = prepared(R"({"hottel": 1, "dimension": 3, "materials": {"m": {"reflectivity": 0.5}},
     "polygons": [
       {"name": "floor", "points": [[5, 2, 0], [4, 2, 0], [4, 3, 0], [0, 3, 0], [0, 0, 0], [5, 0, 0]], "material": "m"},
-      {"name": "sheet", "points": [[2.0096, 0.5, 1e-10], [2, 0.5, 1e-10], [2, 0, 1e-10]], "back": "m"}]})");
+      {"name": "sheet", "points": [[2.0096, 0.5, 1e-10], [2, 0.5, 1e-10], [2, 0, 1e-10]], "material": "m", "back": "m"}]})");
   const ExchangeMatrix matrix = exact_exchange(scene, {.wants_measures = true});
   EXPECT_EQ(matrix.factor("sheet:back", "floor").value, 1);
   EXPECT_DOUBLE_EQ(matrix.factor("floor", "sheet:back").value, 0.0024 / 14);

@@ -45,7 +45,7 @@ Scene3 open_box() {
   return scene;
 }
 
-double sum_of(std::span<const FactorEntry> row) {
+double sum_of(const FactorRow& row) {
   long double sum = 0;
   for (const FactorEntry& entry : row) sum += entry.factor.value;
   return static_cast<double>(sum);

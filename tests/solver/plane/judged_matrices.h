@@ -62,15 +62,11 @@ struct Judged {
     return text;
   }
 
-  const FactorEntry* entry(std::uint32_t i, std::uint32_t j) const {
-    for (const FactorEntry& each : exact.row(i))
-      if (each.to == j) return &each;
-    return nullptr;
-  }
+  std::optional<FactorEntry> entry(std::uint32_t i, std::uint32_t j) const { return exact.row(i).find(j); }
   double vis(std::uint32_t i, std::uint32_t j) const { return entry(i, j) ? entry(i, j)->visibility : 0; }
   // Factor without obstacles.
   double free(std::uint32_t i, std::uint32_t j) const {
-    if (const FactorEntry* known = entry(i, j)) return known->factor.value / known->visibility;
+    if (const auto known = entry(i, j)) return known->factor.value / known->visibility;
     const RootSum sum = PairsAlone2(prepared, table, Granularity::kFace).exact(i, j);
     return sum.is_zero() ? 0 : round_quotient(sum, RootSum(Rational(1))).number.value / exact.elements()[i].area.value;
   }

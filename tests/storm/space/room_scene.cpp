@@ -4,6 +4,7 @@
 #include <array>
 #include <random>
 #include <utility>
+#include <vector>
 
 #include "tests/storm/space/room_numbers.h"
 
@@ -126,10 +127,19 @@ class Furnisher {
     }
     return body;
   }
+  // Whether something may stand there: within the room, where this has no outside.
+  bool may_stand(const std::vector<Point3>& points) const {
+    return has_outside_ || std::ranges::all_of(points, [this](const Point3& p) {
+             return 0 <= p.x && p.x <= size_[0] && 0 <= p.y && p.y <= size_[1] && 0 <= p.z && p.z <= height_;
+           });
+  }
   void add_prism(const Plan& plan, const Rational& low, const Rational& high) {
-    if (high > low) room_.bodies.push_back(prism(plan, low, high, false));
+    std::vector<Point3> corners;
+    for (const Spot& spot : plan) corners.insert(corners.end(), {at(spot, low), at(spot, high)});
+    if (high > low && may_stand(corners)) room_.bodies.push_back(prism(plan, low, high, false));
   }
   void add_sheet(std::vector<Point3> points) {
+    if (!may_stand(points)) return;
     SolidBody3 body{Kind::kSheets, false, {}};
     if (below(2) == 0) std::reverse(points.begin(), points.end());
     add_face(body, std::move(points), kWalls, true);
