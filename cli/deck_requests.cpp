@@ -38,8 +38,8 @@ std::string told(const FactorTable& table, std::uint32_t surface) {
 void take_row(const FactorsOptions& options, const Streams& streams, FactorTable& table) {
   const DeckOutput3& deck = options.deck;
   if (!deck.row) return;
-  const FactorsFormat format = options.format();
-  if (!options.matrix.empty() || format == FactorsFormat::kNpy) {
+  const FactorFormat format = options.format();
+  if (!options.matrix.empty() || format == FactorFormat::kNpy) {
     streams.note(fmt::format("row and col of the deck are for lists and View3D's files: {} has all",
                              options.matrix.empty() ? ".npy" : "--matrix"));
     return;
@@ -60,10 +60,10 @@ void note_format(const FactorsOptions& options, const Streams& streams) {
   if (options.deck.out == 2U)
     return streams.note(
         "out=2, a sparse list, is not written as such: .csv and .mtx list the pairs that see each other");
-  const FactorsFormat asked = options.deck.out == 0U ? FactorsFormat::kView3dText : FactorsFormat::kView3dBinary;
+  const FactorFormat asked = options.deck.out == 0U ? FactorFormat::kView3dText : FactorFormat::kView3dBinary;
   if (options.format() == asked) return;
   streams.note(fmt::format("out={} asks for View3D's {}; the ending of -o decides: {}", *options.deck.out,
-                           asked == FactorsFormat::kView3dText ? "text, .txt" : "binary file, .bin",
+                           asked == FactorFormat::kView3dText ? "text, .txt" : "binary file, .bin",
                            options.out.empty() || options.out == "-" ? "without a file it is csv"
                                                                      : "'" + options.out + "' is something else"));
 }

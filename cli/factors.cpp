@@ -50,7 +50,7 @@ void take_exact_form(FactorsOptions& options) {
 void require_sense_of_digits(const FactorsOptions& options) {
   if (!options.digits) return;
   if (options.wants_exact_form) throw UsageError("--digits rounds numbers, and --exact-form has none");
-  if (options.format() != FactorsFormat::kCsv)
+  if (options.format() != FactorFormat::kCsv)
     throw UsageError("--digits is of csv: '" + options.out + "' holds numbers as they are");
   if (options.json && options.out.empty())
     throw UsageError("with --json the factors need a file: --digits wants -o FILE");
@@ -59,8 +59,7 @@ void require_sense_of_digits(const FactorsOptions& options) {
 void require_sense_of_rows(const FactorsOptions& options) {
   if (options.rows.empty()) return;
   if (options.wants_exact_form) throw UsageError("--rows is of view factors: --exact-form A B chooses pairs");
-  if (const FactorsFormat format = options.format();
-      !options.matrix.empty() || (format != FactorsFormat::kCsv && format != FactorsFormat::kMtx))
+  if (!options.lists_pairs())
     throw UsageError("--rows says which rows are listed: --matrix, .npy, .txt and .bin hold all");
   if (options.json && options.out.empty())
     throw UsageError("with --json the factors need a file: --rows wants -o FILE");
@@ -78,15 +77,14 @@ void require_sense(const FactorsOptions& options) {
       throw UsageError("--tolerance must be a positive number, not '" + *options.tolerance + "'");
   }
   if (options.pairs_option->count() > 0) {
-    const FactorsFormat format = options.format();
-    if (!options.matrix.empty() || (format != FactorsFormat::kCsv && format != FactorsFormat::kMtx))
+    if (!options.lists_pairs())
       throw UsageError("--pairs says which pairs are listed: --matrix, .npy, .txt and .bin hold all");
     if (!options.exact_form.empty()) throw UsageError("--pairs says which pairs are listed: --exact-form A B is one");
   }
   if (options.json && options.out.empty() &&
       (!options.matrix.empty() || options.wants_exact_form || options.pairs_option->count() > 0))
     throw UsageError("with --json the factors need a file: --matrix, --exact-form and --pairs want -o FILE");
-  if (options.areas && (options.format() != FactorsFormat::kCsv || !options.matrix.empty() || options.wants_exact_form))
+  if (options.areas && (options.format() != FactorFormat::kCsv || !options.matrix.empty() || options.wants_exact_form))
     throw UsageError("--areas adds columns to the list of pairs: .mtx and .npy have the areas in the file beside them");
   if (options.areas && options.json && options.out.empty())
     throw UsageError("with --json the factors need a file: --areas wants -o FILE");
@@ -153,7 +151,7 @@ void factors_in_plane(const FactorsOptions& options, Scene2 scene, Streams& stre
   const auto picture = options.picture.empty() ? std::nullopt : picture_format(options.picture);
   require_use_of_limits(options);
   options.elements.apply_to(scene);
-  require_room_for(options, [&](DenseFormat format) { return dense_size(scene, options.per(), format); });
+  require_room_for(options, [&](FactorFormat format) { return dense_size(scene, options.per(), format); });
   const PictureTargets2 targets = picture ? picture_targets(scene, options.toward) : PictureTargets2{};
   if (options.elements.is_given() && options.granularity != "element" && !request.method->works_by_elements())
     streams.note("elements change nothing here: rows are those of whole " + options.granularity +
@@ -207,7 +205,7 @@ void take_emit(FactorsOptions& options, const Streams& streams) {
 bool tells_areas(const FactorsOptions& options) {
   if (options.wants_exact_form) return false;
   if (!options.matrix.empty()) return options.matrix == "exchange";
-  return options.areas || options.format() != FactorsFormat::kCsv;
+  return options.areas || options.format() != FactorFormat::kCsv;
 }
 
 ExitCode factors(FactorsOptions options, Streams& streams) {

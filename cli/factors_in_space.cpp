@@ -56,7 +56,7 @@ void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams
   require_what_space_has(options);
   const FactorsRequest3 request = request_in_space(options, scene);
   options.elements.apply_to(scene);
-  require_room_for(options, [&](DenseFormat format) {
+  require_room_for(options, [&](FactorFormat format) {
     const ElementCounts3 counts = element_counts(scene, request.granularity);
     return dense_size(counts.all, counts.with_material, format);
   });

@@ -9,6 +9,21 @@
 #include "kernel/support/failure.h"
 
 namespace hottel {
+namespace {
+
+// ".csv, .mtx or .txt (View3D)": of the formats that fit.
+template <class Fits>
+std::string endings(const Fits& fits, const char* before_last) {
+  std::vector<std::string> all;
+  for (const FactorFormatRow& row : kFactorFormats)
+    if (fits(row)) all.push_back(row.ending + (*row.whose != 0 ? fmt::format(" ({})", row.whose) : ""));
+  std::string text;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == all.size() ? before_last : ", ") + all[k];
+  return text;
+}
+
+}  // namespace
 
 Granularity FactorsOptions::per() const {
   return granularity == "element" ? Granularity::kElement
@@ -16,36 +31,29 @@ Granularity FactorsOptions::per() const {
                                   : Granularity::kFace;
 }
 
-FactorsFormat FactorsOptions::format() const {
-  const std::string ending = std::filesystem::path(out).extension().string();
+bool FactorsOptions::lists_pairs() const { return matrix.empty() && row_of(format()).lists_pairs; }
+
+FactorFormat FactorsOptions::format() const {
+  if (out.empty() || out == "-") return FactorFormat::kCsv;
   const bool is_csv_only = !matrix.empty() || wants_exact_form;
-  if (out.empty() || out == "-" || ending == ".csv") return FactorsFormat::kCsv;
+  const std::optional<FactorFormat> by_ending = factor_format(out);
+  if (by_ending && (!is_csv_only || *by_ending == FactorFormat::kCsv)) return *by_ending;
   if (!is_csv_only) {
-    if (ending == ".mtx") return FactorsFormat::kMtx;
-    if (ending == ".npy") return FactorsFormat::kNpy;
-    if (ending == ".txt") return FactorsFormat::kView3dText;
-    if (ending == ".bin") return FactorsFormat::kView3dBinary;
-    if (awaits_deck || deck.out == 0U) return FactorsFormat::kView3dText;
-    if (deck.out == 1U) return FactorsFormat::kView3dBinary;
+    if (awaits_deck || deck.out == 0U) return FactorFormat::kView3dText;
+    if (deck.out == 1U) return FactorFormat::kView3dBinary;
   }
-  throw UsageError(fmt::format("factors {} {}, not '{}'",
-                               matrix.empty() ? "are written" : "as a dense matrix are written",
-                               is_csv_only ? "as .csv" : "as .csv, .mtx, .npy, .txt (View3D) or .bin (View3D)", out));
+  throw UsageError(
+      fmt::format("factors {} {}, not '{}'", matrix.empty() ? "are written" : "as a dense matrix are written",
+                  "as " + (is_csv_only ? ".csv" : endings([](const auto&) { return true; }, " or ")), out));
 }
 
-void require_room_for(const FactorsOptions& options, const std::function<DenseSize(DenseFormat)>& size) {
-  const FactorsFormat format = options.format();
-  std::optional<DenseFormat> dense;
-  if (!options.matrix.empty()) dense = DenseFormat::kCsv;
-  if (format == FactorsFormat::kNpy) dense = DenseFormat::kNpy;
-  if (format == FactorsFormat::kView3dText) dense = DenseFormat::kView3dText;
-  if (format == FactorsFormat::kView3dBinary) dense = DenseFormat::kView3dBinary;
-  if (!dense || (options.json && options.out.empty())) return;
-  const auto [rows, bytes] = size(*dense);
-  const bool is_text = *dense == DenseFormat::kCsv || *dense == DenseFormat::kView3dText;
+void require_room_for(const FactorsOptions& options, const std::function<DenseSize(FactorFormat)>& size) {
+  const FactorFormatRow& format = row_of(options.format());
+  if (options.lists_pairs() || (options.json && options.out.empty())) return;
+  const auto [rows, bytes] = size(format.format);
   require_space(options.out.empty() ? "-" : options.out, bytes,
                 fmt::format("{}: a dense matrix of {} x {} numbers takes {}", options.scene, rows, rows,
-                            is_text ? "at least" : "exactly"),
+                            format.is_text ? "at least" : "exactly"),
                 "; lists of the pairs that see each other, -o FILE.csv or FILE.mtx without --matrix, are smaller");
 }
 
@@ -76,10 +84,8 @@ void take_rows(const FactorsOptions& options, const Streams& streams, FactorTabl
 }
 
 FactorsFiles::FactorsFiles(const FactorsOptions& options, const Streams& streams) {
-  const FactorsFormat format = options.format();
   if (!options.json || !options.out.empty()) out.emplace(streams.output(options.out));
-  if (format == FactorsFormat::kMtx) rows.emplace(options.out + ".faces.csv");
-  if (format == FactorsFormat::kNpy) rows.emplace(options.out + ".json");
+  if (const char* const beside = row_of(options.format()).beside) rows.emplace(options.out + beside);
   if (!options.picture.empty()) drawing.emplace(options.picture);
 }
 
@@ -94,7 +100,7 @@ void FactorsFiles::commit() {
 }
 
 void note_matrix(const FactorsOptions& options, const FactorTable& table, const Streams& streams) {
-  if (options.wants_exact_form || options.format() != FactorsFormat::kNpy) return;
+  if (options.wants_exact_form || options.format() != FactorFormat::kNpy) return;
   const std::size_t size = table.matrix.size() + std::size_t{1};  // with the sky
   streams.note(fmt::format("{}: {}, {} x {}, from the row to the column; what these are is in {}.json", options.out,
                            table.gray_channel ? "script-F" : "view factors F", size, size, options.out));
@@ -112,17 +118,17 @@ void write_table(const FactorsOptions& options, const FactorTable& table, Factor
     return;
   }
   switch (options.format()) {
-    case FactorsFormat::kCsv:
+    case FactorFormat::kCsv:
       return write_factors_csv(table, sink);
-    case FactorsFormat::kMtx:
+    case FactorFormat::kMtx:
       write_factors_mtx(table, sink);
       return write_faces([&files](std::string_view text) { files.rows->write(text); });
-    case FactorsFormat::kNpy:
+    case FactorFormat::kNpy:
       write_factors_npy(table, sink);
       return files.rows->write(factors_sidecar(table));
-    case FactorsFormat::kView3dText:
+    case FactorFormat::kView3dText:
       return write_factors_view3d_text(table, sink);
-    case FactorsFormat::kView3dBinary:
+    case FactorFormat::kView3dBinary:
       return write_factors_view3d_binary(table, sink);
   }
 }

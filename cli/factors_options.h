@@ -17,8 +17,6 @@
 
 namespace hottel {
 
-enum class FactorsFormat { kCsv, kMtx, kNpy, kView3dText, kView3dBinary };
-
 struct FactorsOptions {
   std::string scene, out;
   std::string method = "exact", granularity = "face", pairs = "visible", matrix;
@@ -42,12 +40,14 @@ struct FactorsOptions {
   Granularity per() const;
   // By the ending of the file; where it is none of ours, as a deck says (out=0, out=1). Throws UsageError for one that
   // is not known, or not for what is asked.
-  FactorsFormat format() const;
+  FactorFormat format() const;
+  // Whether the pairs that see each other are listed: else all have a place.
+  bool lists_pairs() const;
 };
 
 // Throws RequestError where a dense file of so many rows would not fit on its disk. sizes: of all faces, and of those
 // that radiate.
-void require_room_for(const FactorsOptions& options, const std::function<DenseSize(DenseFormat)>& size);
+void require_room_for(const FactorsOptions& options, const std::function<DenseSize(FactorFormat)>& size);
 
 // The files of a run, opened before the work: a path that cannot be written is found at once.
 struct FactorsFiles {

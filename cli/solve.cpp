@@ -7,6 +7,7 @@
 #include "cli/machine_speed.h"
 #include "cli/methods.h"
 #include "cli/room_for_elements.h"
+#include "cli/solve_files.h"
 #include "cli/solve_in_space.h"
 #include "cli/solve_options.h"
 #include "cli/unit_notes.h"
@@ -89,45 +90,29 @@ Request request_of(const SolveOptions& options) {
   return request;
 }
 
-// The files of a run, opened before the work: a path that cannot be written is found at once.
+// The files of a run.
 struct Outputs {
-  OutputFolder folder;
-  OutputFile csv, flux, json;
-  std::optional<OutputFile> temperature, npy, sidecar, shown_npy, shown_sidecar, png, render;
+  SolveFiles files;
+  OutputFile *npy = nullptr, *sidecar = nullptr, *shown_npy = nullptr, *shown_sidecar = nullptr;
+  OutputFile *png = nullptr, *render = nullptr;
   std::optional<ViewsOutput> views;
 
   Outputs(const SolveOptions& options, const Request& request, const SceneTable& scene)
-      : folder(request.directory),
-        csv(request.directory / "radiosity.csv"),
-        flux(request.directory / "flux.csv"),
-        json(request.directory / "report.json") {
-    if (has_temperatures(scene)) temperature.emplace(request.directory / "temperature.csv");
+      : files(request.directory, scene) {
     if (request.simulation.wants_light) {
-      npy.emplace(request.directory / "illumination.npy");
-      sidecar.emplace(request.directory / "illumination.npy.json");
+      npy = &files.add("illumination.npy");
+      sidecar = &files.add("illumination.npy.json");
     }
     if (request.shows_cells) {
-      shown_npy.emplace(request.directory / "shown.npy");
-      shown_sidecar.emplace(request.directory / "shown.npy.json");
+      shown_npy = &files.add("shown.npy");
+      shown_sidecar = &files.add("shown.npy.json");
     }
-    if (request.wants_picture) png.emplace(request.directory / "illumination.png");
-    if (!options.render.empty()) render.emplace(options.render);
-    if (!options.views.empty()) views.emplace(options.views);
-  }
-
-  // In the order in which they take their names.
-  std::vector<OutputFile*> all() {
-    std::vector<OutputFile*> files{&csv, &flux};
-    for (std::optional<OutputFile>* file : {&temperature, &sidecar, &npy, &shown_sidecar, &shown_npy, &png, &render})
-      if (*file) files.push_back(&**file);
-    if (views) files.insert(files.end(), {&views->faces, &views->mtx});
-    files.push_back(&json);
-    return files;
-  }
-  std::string names() const {
-    return std::string(" radiosity.csv flux.csv") + (temperature ? " temperature.csv" : "") +
-           (npy ? " illumination.npy illumination.npy.json" : "") + (shown_npy ? " shown.npy shown.npy.json" : "") +
-           (png ? " illumination.png" : "") + " report.json";
+    if (request.wants_picture) png = &files.add("illumination.png");
+    if (!options.render.empty()) render = &files.add_elsewhere(options.render);
+    if (options.views.empty()) return;
+    views.emplace(options.views);
+    files.add(views->mtx);
+    files.add(views->faces);
   }
 };
 
@@ -214,17 +199,8 @@ std::optional<PictureLight> picture_light_of(const SolveOptions& options, const 
 }
 
 void write_results(const SolveOptions& options, const Simulation2& simulation, const Results& results,
-                   const NetFluxes& fluxes, const Streams& streams, Outputs& outputs) {
+                   const Streams& streams, Outputs& outputs) {
   const RadiositySolution& solution = *results.solution;
-  write_radiosity_csv(
-      simulation.scene(), results.factors->matrix, solution,
-      [&outputs](std::string_view text) { outputs.csv.write(text); }, options.digits);
-  write_flux_csv(
-      fluxes, [&outputs](std::string_view text) { outputs.flux.write(text); }, options.digits);
-  if (outputs.temperature)
-    write_temperature_csv(
-        simulation.scene(), results.factors->matrix, solution,
-        [&outputs](std::string_view text) { outputs.temperature->write(text); }, options.digits);
   if (outputs.npy) {
     const IlluminationGrid2& light = results.light->grid;
     const std::size_t shape[3] = {light.grid.ny, light.grid.nx, light.channels};
@@ -271,8 +247,10 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
   const Results results = results_of(simulation, wanted, streams);
   const ExchangeMatrix& matrix = results.factors->matrix;
   const NetFluxes fluxes(simulation.scene(), matrix, *results.solution, *simulation.light_shares());
+  const Solved solved{simulation.scene(), matrix, *results.solution, fluxes};
   watch.lap();
-  write_results(options, simulation, results, fluxes, streams, outputs);
+  outputs.files.write_tables(solved, options.digits);
+  write_results(options, simulation, results, streams, outputs);
   std::map<std::string, double> seconds = seconds_of(results);
   seconds["read"] = seconds_to_read;
   seconds["write"] = watch.lap();
@@ -292,16 +270,10 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
                            options.store.report(simulation.request().store),
                            results.dividing.get(),
                            with_unit_note(simulation.scene(), finding_notes(*results.lost_light))};
-  outputs.json.write(solve_json(report));
-  // All files are whole before the first one takes its name.
-  const std::vector<OutputFile*> files = outputs.all();
-  for (OutputFile* file : files) file->finish();
-  if (options.json) streams.write("", solve_json(report));
-  for (OutputFile* file : files) file->commit();
-  streams.note(solve_text(report) + small_scene_text(simulation.scene(), matrix, *results.solution) + "\nin " +
-               request.directory.string() + ":" + outputs.names() + earlier_files_text(request.directory, files) +
-               (outputs.views ? "\nwhat the cells see: " + options.views : "") +
-               (outputs.render ? "\nthe picture: " + options.render : ""));
+  outputs.files.finish(options, report, solved,
+                       (outputs.views ? "\nwhat the cells see: " + options.views : "") +
+                           (outputs.render != nullptr ? "\nthe picture: " + options.render : ""),
+                       streams);
 }
 
 ExitCode solve(const SolveOptions& options, Streams& streams) {
@@ -359,11 +331,10 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
       "--no-illumination", options.no_illumination,
       "no light between the faces: no illumination.npy, and illumination.png with --show of faces only");
   command
-      .add_option(
-          "--show", options.show,
-          "what the picture shows: light; or, on the faces in colours of a scale, radiosity, irradiance, net, "
-          "temperature, sky (view factor to it), factor:NAME (view factor to a face, a group, or NAME*). In space "
-          "a grid shows irradiance, temperature (the mean radiant one) and sky too, in shown.npy and its picture")
+      .add_option("--show", options.show,
+                  "what the picture shows: light; or, on the faces in colours of a scale, " + words_to_show() +
+                      ". In space a grid shows " + words_to_show_at_points() +
+                      " too (of temperatures the mean radiant one), in shown.npy and its picture")
       ->type_name("WHAT")
       ->capture_default_str();
   command

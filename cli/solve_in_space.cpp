@@ -13,6 +13,7 @@
 
 #include "cli/machine_speed.h"
 #include "cli/room_for_elements.h"
+#include "cli/solve_files.h"
 #include "cli/unit_notes.h"
 #include "io/files/output_file.h"
 #include "io/foreign/space/foreign_matrix.h"
@@ -51,16 +52,16 @@ void require_what_space_has(const SolveOptions& options) {
 
 // The files of light on the scene's grid, and of what --show has of it.
 struct GridFiles {
-  OutputFile npy, sidecar;
-  std::optional<OutputFile> shown_npy, shown_sidecar, png;
+  OutputFile &npy, &sidecar;
+  OutputFile *shown_npy = nullptr, *shown_sidecar = nullptr, *png = nullptr;
 
-  GridFiles(const SolveOptions& options, const Shown& shown, const std::filesystem::path& directory)
-      : npy(directory / "illumination.npy"), sidecar(directory / "illumination.npy.json") {
+  GridFiles(const SolveOptions& options, const Shown& shown, SolveFiles& files)
+      : npy(files.add("illumination.npy")), sidecar(files.add("illumination.npy.json")) {
     if (is_of_points(shown)) {
-      shown_npy.emplace(directory / "shown.npy");
-      shown_sidecar.emplace(directory / "shown.npy.json");
+      shown_npy = &files.add("shown.npy");
+      shown_sidecar = &files.add("shown.npy.json");
     }
-    if (!options.no_picture) png.emplace(directory / "illumination.png");
+    if (!options.no_picture) png = &files.add("illumination.png");
   }
 
   // Asks for the light, and for its picture where there is a file for it.
@@ -77,16 +78,6 @@ struct GridFiles {
     const auto picture = simulation.picture(streams.stages());
     seconds["picture"] += picture->seconds;
     png->write(picture->bytes);
-  }
-
-  void append_to(std::vector<OutputFile*>& files) {
-    files.insert(files.end(), {&sidecar, &npy});
-    for (std::optional<OutputFile>* file : {&shown_sidecar, &shown_npy, &png})
-      if (*file) files.push_back(&**file);
-  }
-  std::string names() const {
-    return std::string("illumination.npy illumination.npy.json ") + (shown_npy ? "shown.npy shown.npy.json " : "") +
-           (png ? "illumination.png " : "");
   }
 
  private:
@@ -173,22 +164,17 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   if (options.store.is_given()) plan = std::make_shared<const Plan>(plan_with_store(*plan, true, options.method));
   streams.note(plan_text(*plan));
 
-  // Opened before the work: a path that cannot be written is found at once.
   const std::filesystem::path directory = output_folder(options.out, options.scene);
-  const OutputFolder folder(directory);
-  OutputFile csv(directory / "radiosity.csv"), flux(directory / "flux.csv"), json(directory / "report.json"),
-      vtu(directory / "radiosity.vtu");
-  std::optional<OutputFile> temperature;
-  if (has_temperatures(simulation.scene())) temperature.emplace(directory / "temperature.csv");
+  SolveFiles files(directory, simulation.scene());
+  OutputFile& vtu = files.add("radiosity.vtu");
   std::optional<GridFiles> grid;
   if (const auto& cells = request.light.grid) {
     require_room_for_light(options, {cells->nu, cells->nv}, channel_count(simulation.scene()), "take a coarser --grid",
                            directory);
-    grid.emplace(options, shown, directory);
+    grid.emplace(options, shown, files);
   }
-  std::optional<OutputFile> png, render;
-  if (wants_picture) png.emplace(directory / "render.png");
-  if (!options.render.empty()) render.emplace(options.render);
+  OutputFile* const png = wants_picture ? &files.add("render.png") : nullptr;
+  OutputFile* const render = options.render.empty() ? nullptr : &files.add_elsewhere(options.render);
   const auto factors = simulation.factors(streams.stages());
   const Findings3 lost_light = lost_light_warnings(simulation.scene(), factors->matrix);
   if (!lost_light.empty()) streams.note(findings_text(simulation.scene(), lost_light));
@@ -197,15 +183,8 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
 
   Stopwatch watch;
   const NetFluxes fluxes(simulation.scene(), factors->matrix, *solution, *simulation.light_shares());
-  write_radiosity_csv(
-      simulation.scene(), factors->matrix, *solution, [&csv](std::string_view text) { csv.write(text); },
-      options.digits);
-  write_flux_csv(
-      fluxes, [&flux](std::string_view text) { flux.write(text); }, options.digits);
-  if (temperature)
-    write_temperature_csv(
-        simulation.scene(), factors->matrix, *solution,
-        [&temperature](std::string_view text) { temperature->write(text); }, options.digits);
+  const Solved solved{simulation.scene(), factors->matrix, *solution, fluxes};
+  files.write_tables(solved, options.digits);
   naming_file(options.scene, [&] {
     write_radiosity_vtu(*simulation.prepared(), request.factors.granularity, factors->matrix, *solution,
                         [&vtu](std::string_view text) { vtu.write(text); });
@@ -242,22 +221,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
       .store = options.store.report(request.factors.store),
       .dividing = dividing.get(),
       .warnings = with_unit_note(simulation.scene(), finding_notes(lost_light))};
-  json.write(solve_json(report));
-  // All files are whole before the first one takes its name.
-  std::vector<OutputFile*> files{&csv, &flux, &vtu};
-  if (temperature) files.push_back(&*temperature);
-  if (grid) grid->append_to(files);
-  if (png) files.push_back(&*png);
-  if (render) files.push_back(&*render);
-  files.push_back(&json);
-  for (OutputFile* file : files) file->finish();
-  if (options.json) streams.write("", solve_json(report));
-  for (OutputFile* file : files) file->commit();
-  streams.note(solve_text(report) + small_scene_text(simulation.scene(), factors->matrix, *solution) + "\nin " +
-               directory.string() + ": radiosity.csv flux.csv radiosity.vtu " +
-               (temperature ? "temperature.csv " : "") + (grid ? grid->names() : "") + (png ? "render.png " : "") +
-               "report.json" + earlier_files_text(directory, files) +
-               (render ? "\nthe picture: " + options.render : ""));
+  files.finish(options, report, solved, render != nullptr ? "\nthe picture: " + options.render : "", streams);
 }
 
 }  // namespace hottel

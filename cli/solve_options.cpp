@@ -36,19 +36,6 @@ LightTest light_test_of(const SolveOptions& options, const SceneTable& scene) {
   return *light_test(options.lights);
 }
 
-std::string earlier_files_text(const std::filesystem::path& directory, std::span<OutputFile* const> written) {
-  std::string names;
-  for (const char* name : {"temperature.csv", "radiosity.vtu", "illumination.npy", "illumination.npy.json", "shown.npy",
-                           "shown.npy.json", "illumination.png", "render.png"}) {
-    const std::filesystem::path file = directory / name;
-    const bool is_written = std::ranges::any_of(
-        written, [&](const OutputFile* output) { return std::filesystem::path(output->name()) == file; });
-    std::error_code ignored;
-    if (!is_written && std::filesystem::exists(file, ignored)) names += std::string(" ") + name;
-  }
-  return names.empty() ? names : "\nof an earlier run, and left as it was:" + names;
-}
-
 std::optional<PictureRange> range_of(const std::optional<ShownValues>& shown) {
   if (!shown) return std::nullopt;
   return PictureRange{shown->name, shown->unit, shown->scale.lower, shown->scale.upper};

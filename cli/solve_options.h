@@ -64,10 +64,6 @@ void require_room_for_light(const SolveOptions& options, const std::array<std::u
 // is a picture.
 Shown shown_of(const SolveOptions& options);
 
-// A line that names files of `hottel solve` in its folder that this run did not write: they are of an earlier one, with
-// other options. Empty where there are none. Starts with a new line.
-std::string earlier_files_text(const std::filesystem::path& directory, std::span<OutputFile* const> written);
-
 // The range of what is shown, for a report; nothing of nothing.
 std::optional<PictureRange> range_of(const std::optional<ShownValues>& shown);
 

@@ -246,7 +246,7 @@ void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sin
   out.flush();
 }
 
-DenseSize dense_size(const SceneTable& scene, Granularity granularity, DenseFormat format) {
+DenseSize dense_size(const SceneTable& scene, Granularity granularity, FactorFormat format) {
   std::uint64_t all = 0, radiating = 0;  // labels, and those with a material
   const auto add = [&](std::uint64_t count, bool radiates) {
     all += count;
@@ -270,7 +270,7 @@ DenseSize dense_size(const SceneTable& scene, Granularity granularity, DenseForm
   return dense_size(all, radiating, format);
 }
 
-DenseSize dense_size(std::uint64_t faces, std::uint64_t radiating, DenseFormat format) {
+DenseSize dense_size(std::uint64_t faces, std::uint64_t radiating, FactorFormat format) {
   const std::uint64_t n = faces + 1, m = radiating;  // the sky too; View3D knows faces with a material only
   const auto size = [](std::uint64_t side, std::uint64_t head, std::uint64_t each, std::uint64_t more) {
     constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
@@ -278,18 +278,29 @@ DenseSize dense_size(std::uint64_t faces, std::uint64_t radiating, DenseFormat f
     return DenseSize{side, about < 1e19 ? head + each * (side * side + more * side) : kMost};
   };
   switch (format) {
-    case DenseFormat::kNpy: {
+    case FactorFormat::kNpy: {
       const auto side = static_cast<std::size_t>(n);
       return size(n, npy_header(std::array{side, side}).size(), sizeof(double), 0);
     }
-    case DenseFormat::kView3dBinary:
+    case FactorFormat::kView3dBinary:
       return size(m, 32, sizeof(float), 2);
-    case DenseFormat::kView3dText:
+    case FactorFormat::kView3dText:
       return size(m, 0, 2, 0);
-    case DenseFormat::kCsv:
+    case FactorFormat::kCsv:
+      return size(n, 0, 2, 0);
+    case FactorFormat::kMtx:
       break;
   }
-  return size(n, 0, 2, 0);
+  throw ContractViolation("a list of pairs is as long as there are pairs");
+}
+
+const FactorFormatRow& row_of(FactorFormat format) {
+  return *std::ranges::find(kFactorFormats, format, &FactorFormatRow::format);
+}
+
+std::optional<FactorFormat> factor_format(const std::filesystem::path& file) {
+  const auto row = std::ranges::find(kFactorFormats, file.extension().string(), &FactorFormatRow::ending);
+  return row == kFactorFormats.end() ? std::nullopt : std::optional(row->format);
 }
 
 namespace {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <span>
@@ -62,8 +63,26 @@ enum class DenseQuantity { kFactor, kExchange, kVisibility };
 //   (3) the row of the sky has no entries
 void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sink& sink);
 
-// The formats that hold every pair, be it visible or not.
-enum class DenseFormat { kCsv, kNpy, kView3dText, kView3dBinary };
+// What factors are written as. View3D's formats and .npy hold every pair, be it visible or not.
+enum class FactorFormat : unsigned char { kCsv, kMtx, kNpy, kView3dText, kView3dBinary };
+
+struct FactorFormatRow {
+  FactorFormat format;
+  const char* ending;
+  const char* whose;  // "" or the program whose format it is
+  bool lists_pairs;   // that see each other; else it holds all
+  bool is_text;
+  const char* beside;  // the ending of a file beside it, which says what its rows are; null: there is none
+};
+inline constexpr std::array<FactorFormatRow, 5> kFactorFormats{
+    {{FactorFormat::kCsv, ".csv", "", true, true, nullptr},
+     {FactorFormat::kMtx, ".mtx", "", true, true, ".faces.csv"},
+     {FactorFormat::kNpy, ".npy", "", false, false, ".json"},
+     {FactorFormat::kView3dText, ".txt", "View3D", false, true, nullptr},
+     {FactorFormat::kView3dBinary, ".bin", "View3D", false, false, nullptr}}};
+const FactorFormatRow& row_of(FactorFormat format);
+// Returns the format of a file by its ending; nothing for others.
+std::optional<FactorFormat> factor_format(const std::filesystem::path& file);
 
 // Returns how large such a file becomes for all faces, elements or groups of a scene: how many rows it has, and its
 // bytes, exactly for the binary formats, at the least for text.
@@ -71,10 +90,11 @@ struct DenseSize {
   std::uint64_t rows = 0;
   std::uint64_t bytes = 0;
 };
-DenseSize dense_size(const SceneTable& scene, Granularity granularity, DenseFormat format);
+// Of csv that with --matrix. REQUIRES: not .mtx, which has no such size.
+DenseSize dense_size(const SceneTable& scene, Granularity granularity, FactorFormat format);
 // The same of so many faces, and of so many of them that have a material. (In space a surface has more elements than
 // its table says.)
-DenseSize dense_size(std::uint64_t faces, std::uint64_t radiating, DenseFormat format);
+DenseSize dense_size(std::uint64_t faces, std::uint64_t radiating, FactorFormat format);
 
 // The pairs whose exchange measures are asked for in closed form: all that are listed, or one pair (from, to), be it
 // listed or not; each once, the smaller number first, sorted.

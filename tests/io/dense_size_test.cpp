@@ -28,17 +28,17 @@ TEST(DenseSize, IsThatOfTheFile) {
           prepare(scene, granularity == Granularity::kElement ? Divided2::kYes : Divided2::kNo);
       const ExchangeMatrix matrix = exact_exchange(prepared, {.granularity = granularity});
       const FactorTable table{prepared.scene, matrix, granularity, {}, {}};
-      const auto foretold = [&](DenseFormat format) { return dense_size(scene, granularity, format); };
+      const auto foretold = [&](FactorFormat format) { return dense_size(scene, granularity, format); };
       Written npy, binary, text, csv;
       write_factors_npy(table, npy.sink());
-      EXPECT_EQ(npy.bytes, foretold(DenseFormat::kNpy).bytes) << file;
-      EXPECT_EQ(foretold(DenseFormat::kNpy).rows, matrix.size() + 1) << file;
+      EXPECT_EQ(npy.bytes, foretold(FactorFormat::kNpy).bytes) << file;
+      EXPECT_EQ(foretold(FactorFormat::kNpy).rows, matrix.size() + 1) << file;
       write_factors_view3d_binary(table, binary.sink());
-      EXPECT_EQ(binary.bytes, foretold(DenseFormat::kView3dBinary).bytes) << file;
+      EXPECT_EQ(binary.bytes, foretold(FactorFormat::kView3dBinary).bytes) << file;
       write_factors_view3d_text(table, text.sink());
-      EXPECT_GE(text.bytes, foretold(DenseFormat::kView3dText).bytes) << file;
+      EXPECT_GE(text.bytes, foretold(FactorFormat::kView3dText).bytes) << file;
       write_dense_csv(table, DenseQuantity::kFactor, csv.sink());
-      EXPECT_GE(csv.bytes, foretold(DenseFormat::kCsv).bytes) << file;
+      EXPECT_GE(csv.bytes, foretold(FactorFormat::kCsv).bytes) << file;
     }
 }
 
@@ -46,7 +46,7 @@ TEST(DenseSize, DoesNotOverflow) {
   Scene2 scene;
   scene.surfaces.resize(5000);
   for (Surface& surface : scene.surfaces) surface.elements = 1'000'000;
-  EXPECT_GE(dense_size(scene, Granularity::kElement, DenseFormat::kNpy).bytes, std::uint64_t{1} << 63);
+  EXPECT_GE(dense_size(scene, Granularity::kElement, FactorFormat::kNpy).bytes, std::uint64_t{1} << 63);
 }
 
 }  // namespace

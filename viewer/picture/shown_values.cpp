@@ -20,14 +20,60 @@ namespace hottel {
 namespace {
 
 constexpr std::string_view kToward = "factor:";
-constexpr std::array<std::pair<const char*, Quantity>, 5> kWords{{{"light", Quantity::kLight},
-                                                                  {"radiosity", Quantity::kRadiosity},
-                                                                  {"irradiance", Quantity::kIrradiance},
-                                                                  {"net", Quantity::kNet},
-                                                                  {"temperature", Quantity::kTemperature}}};
 
-bool has_channels(Quantity quantity) {
-  return quantity == Quantity::kRadiosity || quantity == Quantity::kIrradiance || quantity == Quantity::kNet;
+// What a quantity is called, and how it is had.
+struct QuantityRow {
+  Quantity quantity;
+  const char* word;                                         // of --show
+  const char* name;                                         // of its bar
+  double (*of_element)(const ElementRadiosity&) = nullptr;  // by channel; null: there is one value for all
+  const char* unit = nullptr;                               // null: that of radiosities
+  bool has_sign = false;                                    // colours part at 0
+  const char* name_at_points = nullptr;                     // null: it is none of points
+};
+
+// The one place that says so. A factor is asked for by `sky` or `factor:NAME`.
+constexpr std::array<QuantityRow, 6> kQuantities{{
+    {.quantity = Quantity::kLight, .word = "light", .name = "light"},
+    {.quantity = Quantity::kRadiosity,
+     .word = "radiosity",
+     .name = "radiosity",
+     .of_element = [](const ElementRadiosity& element) { return element.radiosity; }},
+    {.quantity = Quantity::kIrradiance,
+     .word = "irradiance",
+     .name = "irradiance",
+     .of_element = [](const ElementRadiosity& element) { return element.irradiance; },
+     .name_at_points = "irradiance"},
+    {.quantity = Quantity::kNet,
+     .word = "net",
+     .name = "net flux",
+     .of_element = [](const ElementRadiosity& element) { return element.net(); },
+     .has_sign = true},
+    {.quantity = Quantity::kTemperature,
+     .word = "temperature",
+     .name = "temperature",
+     .unit = "K",
+     .name_at_points = "mean radiant temperature"},
+    {.quantity = Quantity::kFactor,
+     .word = "sky",
+     .name = "view factor",
+     .unit = "1",
+     .name_at_points = "sky view factor"},
+}};
+
+const QuantityRow& row_of(const Shown& shown) {
+  return *std::ranges::find(kQuantities, shown.quantity, &QuantityRow::quantity);
+}
+
+// "radiosity, irradiance or net": those that fit.
+std::string words_of(bool (*fits)(const QuantityRow&), const std::string& before_last) {
+  std::string text;
+  std::vector<std::string> words;
+  for (const QuantityRow& row : kQuantities)
+    if (fits(row)) words.emplace_back(row.word);
+  for (std::size_t k = 0; k < words.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == words.size() ? before_last : ", ") + words[k];
+  return text;
 }
 
 // The faces that factors go to, by number; empty: the sky.
@@ -42,21 +88,10 @@ std::vector<bool> targets_of(const SceneTable& scene, const std::string& toward)
   return targets;
 }
 
-double of_channel(Quantity quantity, const ElementRadiosity& element) {
-  switch (quantity) {
-    case Quantity::kIrradiance:
-      return element.irradiance;
-    case Quantity::kNet:
-      return element.net();
-    default:
-      return element.radiosity;
-  }
-}
-
 // The mean of three channels, the sum of two bands.
-double mean(Quantity quantity, const RadiositySolution& solution, std::uint32_t element) {
+double mean(double (*of_element)(const ElementRadiosity&), const RadiositySolution& solution, std::uint32_t element) {
   double sum = 0;
-  for (const ChannelSolution& channel : solution.channels) sum += of_channel(quantity, channel.elements[element]);
+  for (const ChannelSolution& channel : solution.channels) sum += of_element(channel.elements[element]);
   return solution.channels.size() == 2 ? sum : sum / static_cast<double>(solution.channels.size());
 }
 
@@ -67,7 +102,8 @@ double found_temperature(const Material& material, const RadiositySolution& solu
     return black_temperature(std::max(
         0.0,
         black_power(above, solution.channels[kThermalBand].elements[element], material.resistance(), solar).value));
-  return black_temperature(std::max(0.0, mean(Quantity::kRadiosity, solution, element) + to_double(above)));
+  return black_temperature(
+      std::max(0.0, mean([](const ElementRadiosity& e) { return e.radiosity; }, solution, element) + to_double(above)));
 }
 
 // By material, where it says a temperature.
@@ -82,7 +118,7 @@ std::vector<std::optional<double>> temperatures_of(const SceneTable& scene) {
 
 // The scale of values by what was asked for (5), (6); largest_radiosity: of all channels.
 ColourScale scale_of(const Shown& shown, const std::vector<std::optional<double>>& values, double largest_radiosity) {
-  ColourScale scale{.about_zero = shown.quantity == Quantity::kNet};
+  ColourScale scale{.about_zero = row_of(shown).has_sign};
   scale.logarithmic = shown.scale.is_logarithmic;
   bool is_first = true;
   for (const auto& value : values) {
@@ -120,43 +156,52 @@ std::string title_of(const ShownValues& values) {
   return title;
 }
 
-std::string name_of(const Shown& shown, const RadiositySolution& solution) {
-  std::string name;
-  switch (shown.quantity) {
-    case Quantity::kFactor:
-      return "view factor to " + (shown.toward == "sky" ? "the sky" : shown.toward);
-    case Quantity::kTemperature:
-      return "temperature";
-    case Quantity::kNet:
-      name = "net flux";
-      break;
-    default:
-      name = shown.quantity == Quantity::kIrradiance ? "irradiance" : "radiosity";
-  }
-  if (solution.channels.size() == 1) return name;
-  const char* const all = solution.channels.size() == 2 ? ", both bands" : ", mean of r, g, b";
-  return name + (shown.channel ? ", " + solution.channel_names[*shown.channel] : all);
+// "irradiance, mean of r, g, b", where a quantity has several channels.
+std::string with_channel(const Shown& shown, const char* name, const std::vector<std::string>& channel_names) {
+  if (row_of(shown).of_element == nullptr || channel_names.size() == 1) return name;
+  const char* const all = channel_names.size() == 2 ? ", both bands" : ", mean of r, g, b";
+  return name + (shown.channel ? ", " + channel_names[*shown.channel] : std::string(all));
+}
+
+std::string name_of(const Shown& shown, const std::vector<std::string>& channel_names) {
+  const std::string toward = shown.quantity != Quantity::kFactor ? ""
+                             : shown.toward == "sky"             ? " to the sky"
+                                                                 : " to " + shown.toward;
+  return with_channel(shown, row_of(shown).name, channel_names) + toward;
+}
+
+std::string unit_of(const Shown& shown, const std::string& unit_of_radiosities) {
+  return row_of(shown).unit != nullptr ? row_of(shown).unit : unit_of_radiosities;
 }
 
 }  // namespace
 
+std::string words_to_show() {
+  return words_of([](const QuantityRow& row) { return row.quantity != Quantity::kLight; }, ", ") +
+         " (view factor to it), factor:NAME (view factor to a face, a group, or NAME*)";
+}
+
+std::string words_to_show_at_points() {
+  return words_of([](const QuantityRow& row) { return row.name_at_points != nullptr; }, " and ");
+}
+
 Shown shown_by(const std::string& word) {
-  for (const auto& [name, quantity] : kWords)
-    if (word == name) return {quantity, "", std::nullopt};
-  if (word == "sky") return {Quantity::kFactor, "sky", std::nullopt};
+  for (const QuantityRow& row : kQuantities)
+    if (word == row.word) return {row.quantity, row.quantity == Quantity::kFactor ? word : "", std::nullopt};
   if (word.starts_with(kToward) && word.size() > kToward.size())
     return {Quantity::kFactor, word.substr(kToward.size()), std::nullopt};
-  std::vector<std::string> known{"sky"};
-  for (const auto& [name, quantity] : kWords) known.emplace_back(name);
-  throw UnknownName(
-      "nothing that can be shown is called '" + word +
-          "': light, radiosity, irradiance, net, temperature, sky, or factor:NAME for the view factor to NAME",
-      word, known);
+  std::vector<std::string> known;
+  for (const QuantityRow& row : kQuantities) known.emplace_back(row.word);
+  throw UnknownName("nothing that can be shown is called '" + word +
+                        "': " + words_of([](const QuantityRow&) { return true; }, ", ") +
+                        ", or factor:NAME for the view factor to NAME",
+                    word, known);
 }
 
 void require_shown(const Shown& shown, const SceneTable& scene) {
-  if (shown.channel && !has_channels(shown.quantity))
-    throw UsageError("--channel goes with --show radiosity, irradiance or net");
+  if (shown.channel && row_of(shown).of_element == nullptr)
+    throw UsageError("--channel goes with --show " +
+                     words_of([](const QuantityRow& row) { return row.of_element != nullptr; }, " or "));
   if (shown.channel && channel_count(scene) == 1)
     throw UsageError(scene.file + " has one channel for all: there is no --channel to choose");
   if (shown.channel && shown.is_of_band != scene.has_bands)
@@ -166,8 +211,8 @@ void require_shown(const Shown& shown, const SceneTable& scene) {
   if (shown.is_light() && (lower || upper || is_logarithmic))
     throw UsageError("a picture of light has no scale: --bar goes with what else --show takes");
   if (lower && upper && !(*lower < *upper)) throw UsageError("--bar: the first end has to be below the second one");
-  if (is_logarithmic && shown.quantity == Quantity::kNet)
-    throw UsageError("--bar: a net flux has a sign, so its scale is not logarithmic");
+  if (is_logarithmic && row_of(shown).has_sign)
+    throw UsageError(fmt::format("--bar: a {} has a sign, so its scale is not logarithmic", row_of(shown).name));
   for (const auto& end : {lower, upper})
     if (is_logarithmic && end && !(*end > 0)) throw UsageError("--bar: a logarithmic scale has its ends above 0");
   if (shown.quantity == Quantity::kFactor) targets_of(scene, shown.toward);
@@ -204,9 +249,8 @@ ShownValues shown_values(const Shown& shown, const SceneTable& scene, const Exch
   const auto value = [&](std::uint32_t i) -> std::optional<double> {
     const std::uint32_t material = *matrix.elements()[i].material;
     if (shown.quantity == Quantity::kFactor) return factor(i);
-    if (shown.quantity != Quantity::kTemperature)
-      return shown.channel ? of_channel(shown.quantity, solution.channels[*shown.channel].elements[i])
-                           : mean(shown.quantity, solution, i);
+    if (const auto of_element = row_of(shown).of_element)
+      return shown.channel ? of_element(solution.channels[*shown.channel].elements[i]) : mean(of_element, solution, i);
     if (scene.materials[material].is_adiabatic() || scene.materials[material].has_given_flux())
       return found_temperature(scene.materials[material], solution, i);
     return temperatures[material];
@@ -222,8 +266,8 @@ ShownValues shown_values(const Shown& shown, const SceneTable& scene, const Exch
       largest_radiosity = std::max(largest_radiosity, channel.elements[i].radiosity);
   }
   result.scale = scale_of(shown, result.elements, largest_radiosity);
-  result.name = name_of(shown, solution);
-  result.unit = shown.quantity == Quantity::kFactor ? "1" : shown.quantity == Quantity::kTemperature ? "K" : unit;
+  result.name = name_of(shown, solution.channel_names);
+  result.unit = unit_of(shown, unit);
   result.title = title_of(result);
   return result;
 }
@@ -236,8 +280,7 @@ std::vector<double> ShownValues::numbers() const {
 }
 
 bool is_of_points(const Shown& shown) {
-  return shown.quantity == Quantity::kIrradiance || shown.quantity == Quantity::kTemperature ||
-         (shown.quantity == Quantity::kFactor && shown.toward == "sky");
+  return row_of(shown).name_at_points != nullptr && (shown.quantity != Quantity::kFactor || shown.toward == "sky");
 }
 
 namespace {
@@ -248,14 +291,6 @@ double value_at_point(const Shown& shown, const OrientedLight& light) {
   if (shown.channel) return light.irradiance[*shown.channel];
   const double sum = std::accumulate(light.irradiance.begin(), light.irradiance.end(), 0.0);
   return light.irradiance.size() == 2 ? sum : sum / static_cast<double>(light.irradiance.size());
-}
-
-std::string name_at_points(const Shown& shown, const std::vector<std::string>& channel_names) {
-  if (shown.quantity == Quantity::kTemperature) return "mean radiant temperature";
-  if (shown.quantity == Quantity::kFactor) return "sky view factor";
-  if (channel_names.size() == 1) return "irradiance";
-  const char* const all = channel_names.size() == 2 ? ", both bands" : ", mean of r, g, b";
-  return "irradiance" + (shown.channel ? ", " + channel_names[*shown.channel] : std::string(all));
 }
 
 }  // namespace
@@ -269,8 +304,8 @@ ShownValues shown_at_points(const Shown& shown, const std::vector<OrientedLight>
     result.elements.push_back(std::isfinite(value) ? std::optional(value) : std::nullopt);
   }
   result.scale = scale_of(shown, result.elements, 0);
-  result.name = name_at_points(shown, channel_names);
-  result.unit = shown.quantity == Quantity::kFactor ? "1" : shown.quantity == Quantity::kTemperature ? "K" : unit;
+  result.name = with_channel(shown, row_of(shown).name_at_points, channel_names);
+  result.unit = unit_of(shown, unit);
   result.title = title_of(result);
   return result;
 }

@@ -40,6 +40,11 @@ struct Shown {
 // UnknownName for other words.
 Shown shown_by(const std::string& word);
 
+// The words that shown_by takes: "radiosity, irradiance, ..., factor:NAME (view factor to a face, a group, or NAME*)",
+// without the light; and those of them that a grid can show.
+std::string words_to_show();
+std::string words_to_show_at_points();
+
 // Throws UsageError where a scene has nothing of the kind: a temperature where no face is warm by its material,
 // insulated or of a given net flux, a channel where there is one only, or of what has none; for a scale whose ends are
 // in the wrong order, or a logarithmic one of a net flux or from 0 or less; UnknownName for names that are not there.

@@ -1,0 +1,81 @@
+#include "cli/solve_files.h"
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+
+#include "io/results/radiosity_files.h"
+#include "io/results/temperature_files.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+// In the order in which they are said, and the report.
+constexpr std::array<const char*, 10> kNames{
+    "radiosity.csv",         "flux.csv",  "temperature.csv", "radiosity.vtu",    "illumination.npy",
+    "illumination.npy.json", "shown.npy", "shown.npy.json",  "illumination.png", "render.png"};
+
+}  // namespace
+
+SolveFiles::SolveFiles(const std::filesystem::path& folder, const SceneTable& scene)
+    : made_(folder),
+      folder_(folder),
+      radiosity_(add("radiosity.csv")),
+      flux_(add("flux.csv")),
+      temperature_(has_temperatures(scene) ? &add("temperature.csv") : nullptr),
+      report_(folder / "report.json") {}
+
+OutputFile& SolveFiles::add(const std::string& name) {
+  HOTTEL_REQUIRE(std::ranges::find(kNames, name) != kNames.end());
+  return add_elsewhere(folder_ / name);
+}
+
+OutputFile& SolveFiles::add_elsewhere(const std::filesystem::path& file) {
+  OutputFile& opened = own_.emplace_back(file);
+  add(opened);
+  return opened;
+}
+
+void SolveFiles::write_tables(const Solved& solved, std::optional<int> digits) {
+  const auto to = [](OutputFile& file) { return [&file](std::string_view text) { file.write(text); }; };
+  write_radiosity_csv(solved.scene, solved.matrix, solved.solution, to(radiosity_), digits);
+  write_flux_csv(solved.fluxes, to(flux_), digits);
+  if (temperature_ != nullptr)
+    write_temperature_csv(solved.scene, solved.matrix, solved.solution, to(*temperature_), digits);
+}
+
+void SolveFiles::finish(const SolveOptions& options, const SolveReport& report, const Solved& solved,
+                        const std::string& more, Streams& streams) {
+  report_.write(solve_json(report));
+  for (OutputFile* file : files_) file->finish();
+  report_.finish();
+  if (options.json) streams.write("", solve_json(report));
+  for (std::size_t k = files_.size(); k-- > 0;) files_[k]->commit();
+  report_.commit();
+  streams.note(solve_text(report) + small_scene_text(solved.scene, solved.matrix, solved.solution) + "\nin " +
+               folder_.string() + ":" + names() + " report.json" + earlier() + more);
+}
+
+std::string SolveFiles::names() const {
+  std::string names;
+  for (const char* name : kNames)
+    if (std::ranges::any_of(own_, [&](const OutputFile& file) { return file.name() == (folder_ / name).string(); }))
+      names += std::string(" ") + name;
+  return names;
+}
+
+// Files of `hottel solve` that this run did not write.
+std::string SolveFiles::earlier() const {
+  const std::string written = names() + " ";
+  std::string names;
+  for (const char* name : kNames) {
+    std::error_code ignored;
+    if (written.find(std::string(" ") + name + " ") == std::string::npos &&
+        std::filesystem::exists(folder_ / name, ignored))
+      names += std::string(" ") + name;
+  }
+  return names.empty() ? names : "\nof an earlier run, and left as it was:" + names;
+}
+
+}  // namespace hottel
