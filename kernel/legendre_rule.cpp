@@ -35,11 +35,19 @@ Real nearest(const arb_t ball) {
   return sum;
 }
 
-template <>
-WideReal nearest<WideReal>(const arb_t ball) {
-  WideReal result;
+template <class Real>
+Real nearest_by_mpfr(const arb_t ball) {
+  Real result;
   arf_get_mpfr(result.backend().data(), arb_midref(ball), MPFR_RNDN);
   return result;
+}
+template <>
+LongReal nearest<LongReal>(const arb_t ball) {
+  return nearest_by_mpfr<LongReal>(ball);
+}
+template <>
+WideReal nearest<WideReal>(const arb_t ball) {
+  return nearest_by_mpfr<WideReal>(ball);
 }
 
 template <class Real>
@@ -81,6 +89,7 @@ const LegendreRule<Real>& legendre_rule(int n) {
 
 template const LegendreRule<double>& legendre_rule<double>(int);
 template const LegendreRule<long double>& legendre_rule<long double>(int);
+template const LegendreRule<LongReal>& legendre_rule<LongReal>(int);
 template const LegendreRule<WideReal>& legendre_rule<WideReal>(int);
 
 }  // namespace hottel

@@ -23,15 +23,16 @@ void LawCounts::add(const LawCounts& other) {
     failures[l] += other.failures[l];
     seconds[l] += other.seconds[l];
   }
+  if (other.slowest > slowest) slowest_number = other.slowest_number;
   slowest = std::max(slowest, other.slowest);
   total += other.total;
 }
 
 std::string LawCounts::text(const std::vector<const char*>& laws, const char* part) const {
-  std::string text =
-      fmt::format("{} scenes of {:.1f} {}, {} checks, {} failures; {:.2f} ms a scene, at most {:.0f} ms\n\n", scenes,
-                  static_cast<double>(parts) / static_cast<double>(scenes), part, all_checks(), all_failures(),
-                  1e3 * total / static_cast<double>(scenes), 1e3 * slowest);
+  std::string text = fmt::format(
+      "{} scenes of {:.1f} {}, {} checks, {} failures; {:.2f} ms a scene, at most {:.0f} ms, of scene {}\n\n", scenes,
+      static_cast<double>(parts) / static_cast<double>(scenes), part, all_checks(), all_failures(),
+      1e3 * total / static_cast<double>(scenes), 1e3 * slowest, slowest_number);
   for (std::size_t l = 0; l < laws.size(); ++l)
     text +=
         fmt::format("{:24} {:>12} checks {:>6} failures {:>10.1f} s\n", laws[l], checks[l], failures[l], seconds[l]);

@@ -19,6 +19,7 @@ struct LawCounts {
   std::vector<std::uint64_t> checks, failures;  // by law
   std::vector<double> seconds;                  // of processor time, by law
   double slowest = 0, total = 0;                // seconds of processor time of a scene; of all, summed over the threads
+  std::uint64_t slowest_number = 0;             // of that scene
 
   std::uint64_t all_checks() const;
   std::uint64_t all_failures() const;
@@ -90,7 +91,10 @@ class LawRun {
     ++result_.scenes;
     Kind::count(made, result_);
     const double taken = processor_seconds() - start;
-    result_.slowest = std::max(result_.slowest, taken);
+    if (taken > result_.slowest) {
+      result_.slowest = taken;
+      result_.slowest_number = number;
+    }
     result_.total += taken;
   }
 

@@ -67,6 +67,8 @@ int main(int argc, char** argv) {
   std::string law;
   app.add_option("--law", law, "this one alone")->type_name("NAME");
   app.add_flag("--all", options.all_laws, "every law on every scene");
+  bool prints = false;
+  app.add_flag("--print", prints, "of rooms: write the first scene, and hold it against nothing")->needs(rooms);
   app.add_flag("!--whole", options.shrinks, "show a scene that breaks a law as it is, not shrunk");
   CLI11_PARSE(app, argc, argv);
   if ((are_solids || are_rooms || is_hiding) && dimension != 3) {
@@ -75,6 +77,11 @@ int main(int argc, char** argv) {
                : are_rooms ? "--rooms"
                            : "--hiding");
     return 2;
+  }
+
+  if (prints) {
+    fmt::print("{}", room_text_3(options.first));
+    return 0;
   }
 
   const auto start = std::chrono::steady_clock::now();

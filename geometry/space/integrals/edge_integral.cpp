@@ -15,6 +15,10 @@ inline constexpr int kCoarse = 6;
 template <class Real>
 inline constexpr int kFine = 9;
 template <>
+inline constexpr int kCoarse<LongReal> = 10;
+template <>
+inline constexpr int kFine<LongReal> = 14;
+template <>
 inline constexpr int kCoarse<WideReal> = 14;
 template <>
 inline constexpr int kFine<WideReal> = 20;
@@ -28,6 +32,8 @@ constexpr std::uint32_t kMostWhereHopeless = 1000;
 constexpr double kShortest = 0x1p-48;
 template <class Real>
 inline constexpr std::uint32_t kMostBisections = 20000;
+template <>
+inline constexpr std::uint32_t kMostBisections<LongReal> = 1000;
 template <>
 inline constexpr std::uint32_t kMostBisections<WideReal> = 1000;
 
@@ -227,6 +233,7 @@ void EdgeIntegral3<Real>::sum_up() {
 
 template class EdgeIntegral3<double>;
 template class EdgeIntegral3<long double>;
+template class EdgeIntegral3<LongReal>;
 template class EdgeIntegral3<WideReal>;
 
 }  // namespace hottel

@@ -34,8 +34,8 @@ class MomentOrigin3 {
   bool is_on_common_line_ = false;
 };
 
-// The direction of the sum of the unit normals of both patches, in doubles, long doubles or WideReal. REQUIRES: their
-// planes meet in a line.
+// The direction of the sum of the unit normals of both patches, in doubles, long doubles, LongReal or WideReal.
+// REQUIRES: their planes meet in a line.
 template <class Real>
 ArcVector3<Real> direction_of_both_normals(const PairBodies3& bodies);
 

@@ -115,8 +115,10 @@ WideVector3<Real> MovingPlanes3::wide_direction(const MovingCorner3& corner, dou
 }
 
 template WideVector3<long double> MovingPlanes3::wide_normal(PlaneId3, double, double);
+template WideVector3<LongReal> MovingPlanes3::wide_normal(PlaneId3, double, double);
 template WideVector3<WideReal> MovingPlanes3::wide_normal(PlaneId3, double, double);
 template WideVector3<long double> MovingPlanes3::wide_direction(const MovingCorner3&, double, double);
+template WideVector3<LongReal> MovingPlanes3::wide_direction(const MovingCorner3&, double, double);
 template WideVector3<WideReal> MovingPlanes3::wide_direction(const MovingCorner3&, double, double);
 
 }  // namespace hottel

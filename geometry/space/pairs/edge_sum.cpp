@@ -158,6 +158,8 @@ void EdgeSum3::widen(std::optional<EdgeIntegral3<Real>>& integral) {
 bool EdgeSum3::take_more_digits() {
   if (!long_doubles_)
     widen(long_doubles_);
+  else if (!longer_)
+    widen(longer_);
   else if (!wide_)
     widen(wide_);
   else
@@ -249,12 +251,14 @@ std::vector<PairStretch3> EdgeSum3::cut_at_ends(double most) const {
 
 void EdgeSum3::refine(double tolerance, double residual_tolerance) {
   values_ = wide_           ? wide_->refine(tolerance, residual_tolerance)
+            : longer_       ? longer_->refine(tolerance, residual_tolerance)
             : long_doubles_ ? long_doubles_->refine(tolerance, residual_tolerance)
                             : doubles_.refine(tolerance, residual_tolerance);
 }
 
 std::uint32_t EdgeSum3::nodes() const {
-  return doubles_.nodes() + (long_doubles_ ? long_doubles_->nodes() : 0) + (wide_ ? wide_->nodes() : 0);
+  return doubles_.nodes() + (long_doubles_ ? long_doubles_->nodes() : 0) + (longer_ ? longer_->nodes() : 0) +
+         (wide_ ? wide_->nodes() : 0);
 }
 
 std::size_t EdgeSum3::end_of_pieces(std::size_t seen) const {
@@ -267,6 +271,7 @@ const EdgeSum3::Seen& EdgeSum3::stretch_of(std::uint32_t piece) const {
 
 void EdgeSum3::tell(PairDetails3& details) {
   const std::vector<double> of_piece = wide_           ? wide_->of_pieces()
+                                       : longer_       ? longer_->of_pieces()
                                        : long_doubles_ ? long_doubles_->of_pieces()
                                                        : doubles_.of_pieces();
   for (std::size_t s = 0; s < seen_.size(); ++s) {

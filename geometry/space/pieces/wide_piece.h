@@ -10,8 +10,8 @@
 
 namespace hottel {
 
-// What StretchPiece3 is, in long doubles or WideReal: what is small against its distance, and needles, lose as many
-// digits as they are small.
+// What StretchPiece3 is, in long doubles, LongReal or WideReal: what is small against its distance, and needles, lose
+// as many digits as they are small.
 template <class Real>
 struct WidePiece3 {
   double low = 0, high = 0;

@@ -26,6 +26,12 @@ long double in_long_double(Integer value, long bits) {
   return sum;
 }
 
+void set_by_mpfr(const Integer& top, const Integer& bottom, long bits, mpfr_t& number) {
+  mpfr_set_z(number, top.get_mpz_t(), MPFR_RNDN);
+  mpfr_div_z(number, number, bottom.get_mpz_t(), MPFR_RNDN);
+  mpfr_mul_2si(number, number, -bits, MPFR_RNDN);
+}
+
 long length_of(const Integer& value) { return static_cast<long>(mpz_sizeinbase(value.get_mpz_t(), 2)); }
 
 }  // namespace
@@ -40,11 +46,11 @@ void set_quotient(const Integer& top, const Integer& bottom, long bits, long dou
   result = in_long_double((top << static_cast<unsigned long>(more)) / bottom, more + bits);
 }
 
+void set_quotient(const Integer& top, const Integer& bottom, long bits, LongReal& result) {
+  set_by_mpfr(top, bottom, bits, result.backend().data());
+}
 void set_quotient(const Integer& top, const Integer& bottom, long bits, WideReal& result) {
-  mpfr_t& number = result.backend().data();
-  mpfr_set_z(number, top.get_mpz_t(), MPFR_RNDN);
-  mpfr_div_z(number, number, bottom.get_mpz_t(), MPFR_RNDN);
-  mpfr_mul_2si(number, number, -bits, MPFR_RNDN);
+  set_by_mpfr(top, bottom, bits, result.backend().data());
 }
 
 }  // namespace hottel::integer_reals

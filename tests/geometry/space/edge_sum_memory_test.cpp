@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <random>
 #include <vector>
@@ -68,7 +69,7 @@ class EdgeSumMemory : public testing::Test {
       }
   }
 
-  // `digits`: 0 of doubles, 1 of long doubles, 2 of WideReal.
+  // `digits`: 0 of doubles, 1 of long doubles, 2 of LongReal, 3 of WideReal.
   Sum sum_of(const PairSetting3& setting, const std::vector<PairStretch3>& stretches, int digits,
              std::size_t most_bytes) const {
     constexpr double kNoShift[3] = {0, 0, 0};
@@ -108,7 +109,7 @@ TEST_F(EdgeSumMemory, DecidesNoNumber) {
   constexpr std::size_t kAll = std::size_t{1} << 40;
   std::size_t pairs = 0, pieces = 0;
   for_each_mixed([&](const PairSetting3& setting, const std::vector<PairStretch3>& stretches) {
-    const int digits = ++pairs % 8 != 0 ? 0 : pairs % 24 != 0 ? 1 : 2;
+    const int digits = ++pairs % 8 != 0 ? 0 : pairs % 24 != 0 ? 1 : pairs % 48 != 0 ? 2 : 3;
     const Sum keeps = sum_of(setting, stretches, digits, kAll), gives_up = sum_of(setting, stretches, digits, 0),
               keeps_some = sum_of(setting, stretches, digits, 100'000);
     for (const Sum* other : {&gives_up, &keeps_some}) {
@@ -128,6 +129,19 @@ TEST_F(EdgeSumMemory, DecidesNoNumber) {
   });
   EXPECT_GT(pairs, 30u);
   EXPECT_GT(pieces, 3000u);
+}
+
+TEST_F(EdgeSumMemory, MoreDigitsAddNoOther) {
+  std::size_t pairs = 0;
+  for_each_mixed([&](const PairSetting3& setting, const std::vector<PairStretch3>& stretches) {
+    if (++pairs % 16 != 0) return;
+    const Sum most = sum_of(setting, stretches, 3, 0);
+    for (const int digits : {1, 2}) {
+      const Sum some = sum_of(setting, stretches, digits, 0);
+      EXPECT_LE(std::fabs(some.numbers[0] - most.numbers[0]), some.numbers[1] + most.numbers[1]) << pairs;
+    }
+  });
+  EXPECT_GT(pairs, 30u);
 }
 
 // The least memory that the tables of the scene fit into leaves room for one thread.

@@ -43,6 +43,12 @@ void RoomStormResult3::add(const RoomStormResult3& other) {
   disputed += other.disputed;
 }
 
+std::string room_text_3(std::uint64_t number) {
+  Scene3 scene = to_scene_3(furnished_room_3(number).bodies);
+  scene.about = fmt::format("Scene {} of the storm of rooms.", number);
+  return write_scene_3(scene);
+}
+
 RoomStormResult3 run_room_storm_3(const StormOptions& options, const std::vector<RoomLaw3>& which) {
   return run_laws<FurnishedRooms>(options, which);
 }

@@ -26,4 +26,7 @@ RoomStormResult3 run_room_storm_3(const StormOptions& options, const std::vector
 // The result as text: counts, times, and each failure as a scene file.
 std::string report(const RoomStormResult3& result, const std::vector<RoomLaw3>& which = room_laws_3());
 
+// The file of a room, as it is.
+std::string room_text_3(std::uint64_t number);
+
 }  // namespace hottel::storm
