@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "kernel/beam_arc.h"
+#include "geometry/space/visibility/beam_arc.h"
 #include "kernel/coprime_integers.h"
 #include "kernel/support/failure.h"
 
@@ -49,24 +49,24 @@ Ball full_turn(long precision) {
 Ball solid_angle(const ExactCone3& cone, long precision) {
   Ball angle = full_turn(precision);
   for (std::size_t k = 0; k < cone.inward.size(); ++k)
-    angle = angle.minus(angle_between(cone.inward[k], cone.inward[k + 1 == cone.inward.size() ? 0 : k + 1], precision),
-                        precision);
+    angle = angle.minus(
+        angle_between_3(cone.inward[k], cone.inward[k + 1 == cone.inward.size() ? 0 : k + 1], precision), precision);
   return angle;
 }
 
 template <class F>
 void for_each_arc(const ExactCone3& cone, const F& f) {
   for (std::size_t k = 0; k < cone.inward.size(); ++k)
-    f(DirectionArc{cone.inward[k], cone.corners[k], cone.corners[k + 1 == cone.inward.size() ? 0 : k + 1]});
+    f(DirectionArc3{cone.inward[k], cone.corners[k], cone.corners[k + 1 == cone.inward.size() ? 0 : k + 1]});
 }
 
 // The point of the great circle of an arc that is nearest to the axis: |m|^2 a - (a . m) m.
-IntegerVector nearest_to(const IntegerVector& axis, const DirectionArc& arc) {
+IntegerVector nearest_to(const IntegerVector& axis, const DirectionArc3& arc) {
   return difference(multiple(dot(arc.normal, arc.normal), axis), multiple(dot(axis, arc.normal), arc.normal));
 }
 
 // Whether that is an inner point of the arc.
-bool turns_at_inner_point(const DirectionArc& arc, const IntegerVector& axis) {
+bool turns_at_inner_point(const DirectionArc3& arc, const IntegerVector& axis) {
   const IntegerVector forward = cross(arc.normal, axis);
   return dot_sign(forward, arc.from) < 0 && dot_sign(forward, arc.to) > 0;
 }
@@ -136,7 +136,7 @@ BeamPower3::Meets BeamPower3::meeting(const Narrow& beam, const ExactCone3& cone
   bool meets = cone.locate(beam.axis).place != ExactCone3::Place::kOutside;
   for (std::size_t k = 0; k < cone.corners.size() && !meets; ++k) meets = beam.side(cone.corners[k]) > 0;
   if (meets || beam.half_angle == 90) return meets ? Meets::kPart : Meets::kNothing;
-  for_each_arc(cone, [&](const DirectionArc& arc) {
+  for_each_arc(cone, [&](const DirectionArc3& arc) {
     if (meets || !turns_at_inner_point(arc, beam.axis)) return;
     meets = beam.side(nearest_to(beam.axis, arc)) > 0;
   });
@@ -148,13 +148,13 @@ Ball BeamPower3::share_at(const Narrow& beam, const ExactCone3& cone, Meets meet
   if (meets == Meets::kAll && beam.falloff == 0)
     return solid_angle(cone, precision)
         .over(full_turn(precision).times(opening(beam.half_angle, precision), precision), precision);
-  const BeamArcs arcs(beam.axis, beam.half_angle, beam.falloff, precision);
+  const BeamArcs3 arcs(beam.axis, beam.half_angle, beam.falloff, precision);
   Ball sum;
   if (meets == Meets::kAll) {
-    for_each_arc(cone, [&](const DirectionArc& arc) { sum = sum.plus(arcs.within(arc), precision); });
+    for_each_arc(cone, [&](const DirectionArc3& arc) { sum = sum.plus(arcs.within(arc), precision); });
     return sum.over(full_turn(precision), precision);
   }
-  for_each_arc(cone, [&](const DirectionArc& arc) {
+  for_each_arc(cone, [&](const DirectionArc3& arc) {
     if (beam.side(arc.from) > 0 || beam.side(arc.to) > 0 ||
         (beam.half_angle < 90 && turns_at_inner_point(arc, beam.axis) && beam.side(nearest_to(beam.axis, arc)) > 0))
       sum = sum.plus(arcs.entering(arc), precision);
@@ -173,7 +173,7 @@ Ball BeamPower3::share_at(const Narrow& beam, const ExactCone3& cone, Meets meet
       break;
     case ExactCone3::Place::kAtCorner:
       sum = sum.plus(
-          angle_between(cone.inward[(axis.side + count - 1) % count], opposite(cone.inward[axis.side]), precision),
+          angle_between_3(cone.inward[(axis.side + count - 1) % count], opposite(cone.inward[axis.side]), precision),
           precision);
       break;
   }
@@ -186,7 +186,7 @@ Ball BeamPower3::share_at(const Narrow& beam, const ExactCone3& cone, Meets meet
 bool BeamPower3::is_far_below_doubles(const ExactCone3& cone) const {
   if (beam_.falloff < 1 || cone.locate(narrow_.axis).place != ExactCone3::Place::kOutside) return false;
   double most = 0;  // cosine of what is nearest to the axis: of a corner, or of the nearest point of a side
-  for_each_arc(cone, [&](const DirectionArc& arc) {
+  for_each_arc(cone, [&](const DirectionArc3& arc) {
     most = std::max(most, dot(axis_, in_doubles(arc.from)));
     if (turns_at_inner_point(arc, narrow_.axis))
       most = std::max(most, dot(axis_, in_doubles(nearest_to(narrow_.axis, arc))));

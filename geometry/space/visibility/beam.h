@@ -57,7 +57,7 @@ std::string beam_problem(const Beam3& beam);
 // For several threads at once.
 // COST: share: some ten microseconds a corner and half a microsecond more for each whole n up to 1000; for other n up
 // to some milliseconds for each that is in the beam, however large n is.
-// SEE: docs/design/space/lights.md; kernel/beam_arc.h.
+// SEE: docs/design/space/lights.md; geometry/space/visibility/beam_arc.h.
 class BeamPower3 {
  public:
   // REQUIRES a beam without a problem.

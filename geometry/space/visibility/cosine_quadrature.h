@@ -14,6 +14,6 @@ namespace hottel {
 // REQUIRES 0 < c0 <= 1, k >= 1, and -pi/2 < low <= high < pi/2. COST: some milliseconds at 128 bits; more where an end
 // is near a quarter turn.
 // SEE: Johansson, Numerical integration in arbitrary-precision ball arithmetic, 2018.
-Real integral_of_power_ratio(const Real& c0, const Real& k, const Real& low, const Real& high);
+Real integral_of_power_ratio_3(const Real& c0, const Real& k, const Real& low, const Real& high);
 
 }  // namespace hottel

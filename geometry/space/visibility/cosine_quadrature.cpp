@@ -1,4 +1,4 @@
-#include "kernel/cosine_quadrature.h"
+#include "geometry/space/visibility/cosine_quadrature.h"
 
 #include <acb.h>
 #include <acb_calc.h>
@@ -99,7 +99,7 @@ int ratio_at(acb_ptr out, const acb_t u, void* parameters, slong order, slong pr
 
 }  // namespace
 
-Real integral_of_power_ratio(const Real& c0, const Real& k, const Real& low, const Real& high) {
+Real integral_of_power_ratio_3(const Real& c0, const Real& k, const Real& low, const Real& high) {
   const long precision = c0.precision();
   Complex from, to, integral;
   acb_set_arb(from.z, low.x);

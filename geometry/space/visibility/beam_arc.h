@@ -11,7 +11,7 @@ namespace hottel {
 // An arc of a great circle on the sphere of directions, less than a half turn: from `from` to `to`, counter-clockwise
 // around `normal`. Vectors of any length.
 // REQUIRES: normal is orthogonal to both ends, and a positive multiple of from x to.
-struct DirectionArc {
+struct DirectionArc3 {
   const IntegerVector& normal;
   const IntegerVector& from;
   const IntegerVector& to;
@@ -37,15 +37,15 @@ struct DirectionArc {
 // proven bounds: up to some milliseconds. SEE: Arvo, Applications of irradiance tensors to the simulation of
 // non-Lambertian phenomena, 1995, for whole n; Johansson, Numerical integration in arbitrary-precision ball arithmetic,
 // 2018.
-class BeamArcs {
+class BeamArcs3 {
  public:
   // REQUIRES: the axis is not zero, 0 < half_angle <= 90, falloff >= 0.
-  BeamArcs(const IntegerVector& axis, const Rational& half_angle, const Rational& falloff, long precision);
-  BeamArcs(BeamArcs&&) noexcept;
-  ~BeamArcs();
+  BeamArcs3(const IntegerVector& axis, const Rational& half_angle, const Rational& falloff, long precision);
+  BeamArcs3(BeamArcs3&&) noexcept;
+  ~BeamArcs3();
 
-  Ball within(const DirectionArc& arc) const;
-  Ball entering(const DirectionArc& arc) const;
+  Ball within(const DirectionArc3& arc) const;
+  Ball entering(const DirectionArc3& arc) const;
 
  private:
   struct State;
@@ -53,6 +53,6 @@ class BeamArcs {
 };
 
 // Returns the angle between two vectors, from 0 to pi. REQUIRES that neither is zero.
-Ball angle_between(const IntegerVector& a, const IntegerVector& b, long precision);
+Ball angle_between_3(const IntegerVector& a, const IntegerVector& b, long precision);
 
 }  // namespace hottel

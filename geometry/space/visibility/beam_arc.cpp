@@ -1,11 +1,11 @@
-#include "kernel/beam_arc.h"
+#include "geometry/space/visibility/beam_arc.h"
 
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "geometry/space/visibility/cosine_quadrature.h"
 #include "kernel/ball_number.h"
-#include "kernel/cosine_quadrature.h"
 #include "kernel/real_ball.h"
 
 namespace hottel {
@@ -43,7 +43,7 @@ struct Course {
 
 }  // namespace
 
-struct BeamArcs::State {
+struct BeamArcs3::State {
   IntegerVector axis;
   Rational power;  // n + 1
   long precision;
@@ -87,7 +87,7 @@ struct BeamArcs::State {
 
   // The angles of the ends of an arc from the point of its great circle that is nearest to the axis: the first is in
   // (-pi, pi], the second is less than pi larger. Where all of the great circle is as far, from 0.
-  Range angles(const DirectionArc& arc, const Real& normal_length) const {
+  Range angles(const DirectionArc3& arc, const Real& normal_length) const {
     const Integer volume = dot(arc.normal, cross(arc.from, arc.to));
     const Real length = angle_of(number(volume), normal_length * number(dot(arc.from, arc.to)));
     const IntegerVector forward = cross(arc.normal, axis);
@@ -97,7 +97,7 @@ struct BeamArcs::State {
     return {std::move(first), std::move(last)};
   }
 
-  Course course(const DirectionArc& arc, const Real& normal_length) const {
+  Course course(const DirectionArc3& arc, const Real& normal_length) const {
     const IntegerVector turn = cross(axis, arc.normal);
     const Real both = normal_length * axis_length;
     return {number(dot(axis, arc.normal)) / both, root(number(dot(turn, turn))) / both};
@@ -154,7 +154,7 @@ struct BeamArcs::State {
 
   // The same for any k where all angles are from -pi/3 to pi/3.
   Real inner_power(const Course& course, const Range& range) const {
-    return course.s * integral_of_power_ratio(course.c0, power_ball, range.low, range.high);
+    return course.s * integral_of_power_ratio_3(course.c0, power_ball, range.low, range.high);
   }
 
   // cos^p for the cosine of an angle from 0 to pi/2, as which rounding may have made it negative.
@@ -265,12 +265,12 @@ struct BeamArcs::State {
   }
 };
 
-BeamArcs::BeamArcs(const IntegerVector& axis, const Rational& half_angle, const Rational& falloff, long precision) {
+BeamArcs3::BeamArcs3(const IntegerVector& axis, const Rational& half_angle, const Rational& falloff, long precision) {
   return_flint_memory_at_thread_end();
   state_ = std::make_unique<State>(axis, half_angle, falloff, precision);
 }
-BeamArcs::BeamArcs(BeamArcs&&) noexcept = default;
-BeamArcs::~BeamArcs() = default;
+BeamArcs3::BeamArcs3(BeamArcs3&&) noexcept = default;
+BeamArcs3::~BeamArcs3() = default;
 
 namespace {
 
@@ -282,7 +282,7 @@ Ball to_ball(Real& value) {
 
 }  // namespace
 
-Ball BeamArcs::within(const DirectionArc& arc) const {
+Ball BeamArcs3::within(const DirectionArc3& arc) const {
   const State& state = *state_;
   if (dot_sign(state.axis, arc.normal) == 0) return {};
   const Real normal_length = root(state.number(dot(arc.normal, arc.normal)));
@@ -290,7 +290,7 @@ Ball BeamArcs::within(const DirectionArc& arc) const {
   return to_ball(result);
 }
 
-Ball BeamArcs::entering(const DirectionArc& arc) const {
+Ball BeamArcs3::entering(const DirectionArc3& arc) const {
   const State& state = *state_;
   if (dot_sign(state.axis, arc.normal) == 0) return {};
   const Real normal_length = root(state.number(dot(arc.normal, arc.normal)));
@@ -310,7 +310,7 @@ Ball BeamArcs::entering(const DirectionArc& arc) const {
   return to_ball(result);
 }
 
-Ball angle_between(const IntegerVector& a, const IntegerVector& b, long precision) {
+Ball angle_between_3(const IntegerVector& a, const IntegerVector& b, long precision) {
   return_flint_memory_at_thread_end();
   const IntegerVector turn = cross(a, b);
   Real result = angle_of(root(Real(dot(turn, turn), precision)), Real(dot(a, b), precision));
