@@ -22,6 +22,9 @@ struct PairRequest3 {
   // The same in the unit of measures, where it is given: then `tolerance` means nothing.
   std::optional<double> share = {};
   Effort3 effort = Effort3::kAll;
+  // Whether bounds are to be proven of sums along edges too: then they are as narrow as the tolerance, as a rule. The
+  // measure is the same but where it is told better so. COST: some times that of the measure.
+  bool proves = false;
   // For tests: integrate along the edges from j to i; settle every pair along edges, also where it is clear; take
   // another origin for moments (in the unit of doubles, added to the usual one; where both patches reach the plane of
   // each other the origin is on the line that both planes share, and moves along it by the first number times what
