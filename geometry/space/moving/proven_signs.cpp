@@ -42,8 +42,10 @@ bool is_proven_by_doubles(const std::array<double, 3>& c, const std::array<doubl
   return most * most * (1 + 0x1p-40) < q0 * q1;
 }
 
-// The same of integers, at numbers that doubles are.
+// The same of integers, at numbers that doubles are. Where there is no root, or a double one, the sign is the same on
+// both sides of it.
 bool is_proven_by_integers(const std::array<Integer, 3>& c, int sign, double left, double right) {
+  if (c[1] * c[1] <= 4 * c[0] * c[2]) return true;
   const Rational l = -exact_value(left), r = exact_value(right);
   const Rational c0(sign * c[0]), c1(sign * c[1]), c2(sign * c[2]);
   const Rational q0 = c0 + l * (c1 + l * c2), q1 = c0 + r * (c1 + r * c2);

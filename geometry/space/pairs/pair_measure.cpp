@@ -628,7 +628,7 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
   // Something is seen.
   result.measure = std::clamp(result.measure, kLittle * alone.bounds.upper, alone.bounds.upper);
   const auto end = [&] {
-    if (request.proves && !j.is_far()) prove(setting, origin, shift, stretches, allowed, result);
+    if (request.proves) prove(setting, origin, shift, stretches, allowed, result);
     return result;
   };
   if (is_done()) return end();

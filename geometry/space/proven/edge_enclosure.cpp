@@ -18,8 +18,9 @@ constexpr double kSlack = 1e-9;
 constexpr double kOfQuotient = 0x1p-50;
 // Rules are to be no further off than this part of what is allowed, and need not be nearer than this part of the moment.
 constexpr double kOfRules = 0x1p-6, kOfMoment = 0x1p-56;
-// Doubles are to leave no more than this part of what is allowed; else more digits are asked.
-constexpr double kOfDoubles = 0.25;
+// Doubles are to leave no more than this part of what is allowed of all; else more digits are asked where they leave more
+// than that part of what is allowed there.
+constexpr double kOfAll = 0.5, kOfDoubles = 0.125;
 
 template <class Real>
 LocalVector3<Real> ratio(const IntegerVector& numerator, const Integer& denominator, long shift) {
@@ -138,7 +139,7 @@ Ball3<double> EdgeEnclosure3::enclose(const PairStretch3& stretch, double allowe
     }
     Ball3<double> found = enclose(stretch, part, moment, allowed * kOfRules, most);
     const double width = part.piece.high - part.piece.low;
-    if (found.rad > kOfDoubles * allowed * width + part.gaps * whole)
+    if (takes_more_digits_ && found.rad > kOfDoubles * allowed * width + part.gaps * whole)
       if (const Ball3<double> finer =
               enclose(stretch, part, moment_of<WideReal>(stretch.line()), allowed * kOfRules, most);
           finer.rad < found.rad)
@@ -151,9 +152,15 @@ Ball3<double> EdgeEnclosure3::enclose(const PairStretch3& stretch, double allowe
 }
 
 Enclosure EdgeEnclosure3::enclose(const std::vector<PairStretch3>& stretches, double allowed) {
+  const double all = 2 * std::numbers::pi * allowed;
+  const double of_each = all / static_cast<double>(std::max<std::size_t>(1, stretches.size()));
   Ball3<double> sum;
-  const double of_each = 2 * std::numbers::pi * allowed / static_cast<double>(std::max<std::size_t>(1, stretches.size()));
-  for (const PairStretch3& stretch : stretches) sum = sum + enclose(stretch, of_each);
+  for (const bool takes_more_digits : {false, true}) {
+    takes_more_digits_ = takes_more_digits;
+    sum = {};
+    for (const PairStretch3& stretch : stretches) sum = sum + enclose(stretch, of_each);
+    if (sum.rad <= kOfAll * all) break;
+  }
   return over_full_turn(sum);
 }
 

@@ -51,6 +51,7 @@ class EdgeEnclosure3 {
   StretchMapper3 mapper_;
   std::array<Extent, 2> extents_;
   std::vector<SurePart3> parts_;
+  bool takes_more_digits_ = false;
   ProofCounts3 counts_;
 };
 
