@@ -108,8 +108,8 @@ class MovingPlanes3 {
     double low, high;
   };
   std::optional<ProvenInterval> prove_signs();
-  // The normal of a plane, and the direction of a corner, as fine_normal() and fine_direction(), or times something that
-  // is positive between low and high: where they are zero at an end, they are divided by what is zero there.
+  // The normal of a plane, and the direction of a corner, as fine_normal() and fine_direction(), or times something
+  // that is positive between low and high: where they are zero at an end, they are divided by what is zero there.
   template <class Real>
   using WholeVector = std::conditional_t<std::is_same_v<Real, double>, MovingVector3, WideVector3<Real>>;
   template <class Real>

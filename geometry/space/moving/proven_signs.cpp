@@ -59,8 +59,7 @@ bool is_proven_by_integers(const std::array<Integer, 3>& c, int sign, double lef
 bool MovingPlanes3::is_surely_far_from_zero(const Quadratic& near) const {
   const auto& [c, e] = near;
   const double reach = std::max(left_, right_);
-  const double others =
-      (std::fabs(c[1]) + kErrors * e[1]) * reach + (std::fabs(c[2]) + kErrors * e[2]) * reach * reach;
+  const double others = (std::fabs(c[1]) + kErrors * e[1]) * reach + (std::fabs(c[2]) + kErrors * e[2]) * reach * reach;
   return std::fabs(c[0]) - kErrors * e[0] > others * (1 + 0x1p-40);
 }
 

@@ -28,8 +28,8 @@ bool divide_by_root(Powers& p, const Rational& low, const Rational& high) {
   const Integer& bottom = is_x ? across.x : is_y ? across.y : across.z;
   const Integer& top = is_x ? other.x : is_y ? other.y : other.z;
   // root = -top / bottom, where all three components are zero.
-  const IntegerVector at_root = sum(difference(multiple(bottom * bottom, p[0]), multiple(top * bottom, p[1])),
-                                    multiple(top * top, p[2]));
+  const IntegerVector at_root =
+      sum(difference(multiple(bottom * bottom, p[0]), multiple(top * bottom, p[1])), multiple(top * top, p[2]));
   if (!is_zero(at_root)) return false;
   Rational root(-top, bottom);
   root.canonicalize();

@@ -71,7 +71,8 @@ bool StretchMapper3::divide_surely(const PairStretch3& stretch, std::vector<Sure
     piece.high = proven->high;
     parts.push_back(std::move(part));
   }
-  std::sort(parts.begin(), parts.end(), [](const SurePart3& a, const SurePart3& b) { return a.piece.base < b.piece.base; });
+  std::sort(parts.begin(), parts.end(),
+            [](const SurePart3& a, const SurePart3& b) { return a.piece.base < b.piece.base; });
   keep_apart(parts);
   join(parts);
   return true;

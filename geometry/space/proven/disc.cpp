@@ -55,8 +55,8 @@ Disc3 arc_tangent(const Disc3& a) {
   const double y = std::fabs(a.im), square = a.re * a.re + y * y;
   const double re = std::atan2(2 * a.re, 1 - square) / 2;
   const double height = std::log1p(4 * y / (a.re * a.re + (1 - y) * (1 - y))) / 4;
-  const double rounding = 4 * kUnit * (1 + square) / (upper * lower) +
-                          (kOfLibrary + 2) * kUnit * std::fabs(re) + (kOfLibrary + 12) * kUnit * height;
+  const double rounding = 4 * kUnit * (1 + square) / (upper * lower) + (kOfLibrary + 2) * kUnit * std::fabs(re) +
+                          (kOfLibrary + 12) * kUnit * height;
   return {re, std::copysign(height, a.im), up(a.rad / (inner * other) + rounding)};
 }
 

@@ -14,12 +14,15 @@ using namespace ball_arithmetic_3;
 
 // Lengths in doubles are right to this part of what they are made of, by far.
 constexpr double kSlack = 1e-9;
+// Differences of places, of how far these are.
+constexpr double kOfPlace = 0x1p-45;
 // Quotients of integers as doubles, and their products.
 constexpr double kOfQuotient = 0x1p-50;
-// Rules are to be no further off than this part of what is allowed, and need not be nearer than this part of the moment.
+// Rules are to be no further off than this part of what is allowed, and need not be nearer than this part of the
+// moment.
 constexpr double kOfRules = 0x1p-6, kOfMoment = 0x1p-56;
-// Doubles are to leave no more than this part of what is allowed of all; else more digits are asked where they leave more
-// than that part of what is allowed there.
+// Doubles are to leave no more than this part of what is allowed of all; else more digits are asked where they leave
+// more than that part of what is allowed there.
 constexpr double kOfAll = 0.5, kOfDoubles = 0.125;
 
 template <class Real>
@@ -38,15 +41,6 @@ LocalVector3<Real> ratio(const IntegerVector& numerator, const Integer& denomina
 
 Direction3 in_doubles(const LocalVector3<double>& a) { return {a.x, a.y, a.z}; }
 
-template <class Real>
-ProvenPiece3<Real> proven(const WholePiece3<Real>& piece) {
-  ProvenPiece3<Real> result;
-  for (const auto& plane : piece.planes) result.planes.push_back(proven_vector_3(plane));
-  for (const auto& corner : piece.corners) result.corners.push_back(proven_vector_3(corner));
-  result.arcs = piece.arcs;
-  return result;
-}
-
 // The quotient by 2 pi of what a ball holds.
 Enclosure over_full_turn(const Ball3<double>& sum) {
   constexpr double kFull = 2 * std::numbers::pi, kRoundings = 0x1p-50;
@@ -63,17 +57,20 @@ EdgeEnclosure3::Extent EdgeEnclosure3::extent(std::uint32_t patch) const {
   if (bodies_.is_far(patch)) return {};
   const std::vector<std::uint32_t>& corners = bodies_.bodies[patch].corners;
   Extent result{bodies_.place(corners.front()), 0, 0};
+  double place = 0;
+  for (const std::uint32_t corner : corners) place = std::max(place, length(bodies_.place(corner)));
+  const double slack = kOfPlace * place;
   double sizes = 0;
   Direction3 before{}, sum{};
   for (std::size_t k = 1; k < corners.size(); ++k) {
     const Direction3 side = bodies_.place(corners[k]) - result.first;
     result.reach = std::max(result.reach, length(side));
-    sizes += length(before) * length(side);
+    sizes += kSlack * length(before) * length(side) + slack * (length(before) + length(side) + slack);
     sum = sum + cross(before, side);
     before = side;
   }
-  result.reach *= 1 + kSlack;
-  result.area = length(sum) / 2 + kSlack * sizes;
+  result.reach = result.reach * (1 + kSlack) + slack;
+  result.area = length(sum) / 2 + sizes;
   return result;
 }
 
@@ -114,7 +111,7 @@ ProvenMoment3<Real> EdgeEnclosure3::moment_of(const Stretch3& s) const {
 template <class Real>
 Ball3<double> EdgeEnclosure3::enclose(const PairStretch3& stretch, const SurePart3& part,
                                       const ProvenMoment3<Real>& moment, double allowed, double most) {
-  const ProvenPiece3<Real> piece = proven(mapper_.whole_piece<Real>(stretch, part.piece));
+  const ProvenPiece3<Real> piece(mapper_.whole_piece<Real>(stretch, part.piece));
   PieceEncloser3<Real> encloser(piece, moment, std::max(allowed, kOfMoment * moment.size * most), most, counts_);
   Ball3<double> result = encloser.enclose(part.piece.low, part.piece.high);
   // In its gaps something else may be seen.

@@ -20,11 +20,6 @@ constexpr int kMostHalvings = 24, kAllHalvings = 64, kMostDivisions = 4, kMostDi
 // A bound on an ellipse that is this many times as large as the integrand could be says little.
 constexpr double kLoose = 64;
 
-// (64 / 15) M rho^(-2n) / (1 - rho^-2), rounded up.
-double error_of_rule(double largest, double rho, int n) {
-  return largest * (64.0 / 15) * std::pow(rho, -2 * n) / (1 - 1 / (rho * rho)) * (1 + 0x1p-30);
-}
-
 template <class Number>
 Number half_turn(Number*);
 template <>
@@ -44,8 +39,7 @@ Ball3<WideReal> half_turn(Ball3<WideReal>*) {
 // The half axes of the ellipse, in half lengths, rounded up.
 struct Axes {
   double along, across;
-  explicit Axes(double rho)
-      : along((rho + 1 / rho) / 2 * (1 + 0x1p-40)), across((rho - 1 / rho) / 2 * (1 + 0x1p-40)) {}
+  explicit Axes(double rho) : along((rho + 1 / rho) / 2 * (1 + 0x1p-40)), across((rho - 1 / rho) / 2 * (1 + 0x1p-40)) {}
 };
 
 // A rectangle, in half lengths, by its middle.
@@ -63,10 +57,20 @@ struct Cell {
 
 }  // namespace
 
+double error_of_rule_3(double largest, double rho, int n) {
+  constexpr double kRoundings = 1 + 0x1p-30;
+  return largest * (64.0 / 15) * std::pow(rho, -2 * n) / (1 - 1 / (rho * rho)) * kRoundings;
+}
+
 template <class Real>
-PieceEncloser3<Real>::PieceEncloser3(const ProvenPiece3<Real>& piece, const ProvenMoment3<Real>& moment,
-                                     double allowed, double most_seen, ProofCounts3& counts)
-    : piece_(piece), moment_(moment), allowed_(allowed), most_seen_(most_seen), halvings_left_(kAllHalvings), counts_(counts) {
+PieceEncloser3<Real>::PieceEncloser3(const ProvenPiece3<Real>& piece, const ProvenMoment3<Real>& moment, double allowed,
+                                     double most_seen, ProofCounts3& counts)
+    : piece_(piece),
+      moment_(moment),
+      allowed_(allowed),
+      most_seen_(most_seen),
+      halvings_left_(kAllHalvings),
+      counts_(counts) {
   for (const ProvenVector3<Real>& plane : piece.planes) in_doubles_.planes.push_back(in_doubles_3(plane));
   for (const ProvenVector3<Real>& corner : piece.corners) in_doubles_.corners.push_back(in_doubles_3(corner));
   in_doubles_.arcs = piece.arcs;
@@ -124,8 +128,8 @@ std::optional<Ball3<double>> PieceEncloser3<Real>::enclose_by_rule(double low, d
     const std::optional<double> largest = largest_on_ellipse(middle, half, rho);
     if (!largest) continue;
     int n = kFewestNodes;
-    while (n < kMostNodes && error_of_rule(*largest, rho, n) > 2 * allowed_) ++n;
-    const double error = up(error_of_rule(*largest, rho, n) * half);
+    while (n < kMostNodes && error_of_rule_3(*largest, rho, n) > 2 * allowed_) ++n;
+    const double error = up(error_of_rule_3(*largest, rho, n) * half);
     if (error > 2 * allowed_ * half) return {};
     const LegendreRule<Real>& rule = legendre_rule<Real>(n);
     Ball3<Real> sum;
@@ -188,9 +192,7 @@ template <class Real>
 template <class Number, class Of>
 Number PieceEncloser3<Real>::integrand(const ProvenPiece3<Of>& piece, const ProvenMoment3<Of>& moment, double from,
                                        const Number& offset) {
-  const auto since = [&](double base) {
-    return (Number::of(Of(from), 0) + Number::of(Of(-base), 0)) + offset;
-  };
+  const auto since = [&](double base) { return (Number::of(Of(from), 0) + Number::of(Of(-base), 0)) + offset; };
   thread_local std::vector<ProvenPoint3<Number>> corners, normals;
   thread_local std::vector<Number> lengths, over_lengths, weights;
   corners.clear();
@@ -212,8 +214,7 @@ Number PieceEncloser3<Real>::integrand(const ProvenPiece3<Of>& piece, const Prov
   Number sum{};
   for (std::size_t k = 0; k < piece.arcs.size(); ++k) {
     const SeenArc3& arc = piece.arcs[k];
-    const Number theta =
-        angle(arc, turns_[k], normals[arc.plane], over_lengths[arc.plane], corners, lengths);
+    const Number theta = angle(arc, turns_[k], normals[arc.plane], over_lengths[arc.plane], corners, lengths);
     sum = sum + Number::of(Of(arc.count / 2), 0) * weights[arc.plane] * theta;
   }
   return sum;
@@ -232,7 +233,9 @@ std::optional<double> PieceEncloser3<Real>::largest_on_ellipse(double middle, do
     if (cell.misses(axes)) continue;
     if (++discs > kMostDiscs) return {};
     ++counts_.discs;
-    const Disc3 offset{half * cell.x, half * cell.y, up(half * cell.radius()) + 0x1p-50 * half * rho};
+    // The middle as a double may be off by half a unit of its last place, and so may the middle of the disc.
+    const double radius = up(half * cell.radius() + 0x1p-50 * half * rho + 0x1p-52);
+    const Disc3 offset{half * cell.x, half * cell.y, radius};
     const Disc3 there = integrand(in_doubles_, moment_in_doubles_, middle, offset);
     const double size = up(there.size() + there.rad);
     if (size <= kLoose * moment_.size) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/space/pieces/arc_sum.h"
+#include "geometry/space/pieces/sure_part.h"
 #include "geometry/space/proven/proven_vector.h"
 
 namespace hottel {
@@ -16,6 +17,12 @@ template <class Real>
 struct ProvenPiece3 {
   std::vector<ProvenVector3<Real>> planes, corners;
   std::vector<SeenArc3> arcs;
+
+  ProvenPiece3() = default;
+  explicit ProvenPiece3(const WholePiece3<Real>& piece) : arcs(piece.arcs) {
+    for (const auto& plane : piece.planes) planes.push_back(proven_vector_3(plane));
+    for (const auto& corner : piece.corners) corners.push_back(proven_vector_3(corner));
+  }
 };
 
 // The moment of a stretch, each component within `error`.
@@ -34,12 +41,13 @@ struct ProofCounts3 {
   std::uint32_t nodes = 0, discs = 0;
 };
 
+// What the rule of n nodes on [-1, 1] is off at most, n >= 2, for a function that is analytic within the ellipse of rho
+// and no larger there than `largest`: (64 / 15) M rho^(-2n) / (1 - rho^-2), rounded up.
+double error_of_rule_3(double largest, double rho, int n);
+
 // Encloses integrals of moment . Lambda over intervals of t. By the rule of n nodes on each part, of half length h, and
 // the ellipse with the ends of the part as foci and rho as the sum of its half axes, in half lengths: where the
-// integrand is analytic in it and no larger than M, the rule is off by no more than
-//
-//   (64 / 15) M h rho^(-2n) / (1 - rho^-2),   n >= 2
-//
+// integrand is analytic in it and no larger than M, the rule is off by no more than h error_of_rule_3(M, rho, n).
 // The upper half of the ellipse is covered by discs. Where one of them may hold a singular point it is divided, where
 // that does not help the ellipse shrinks, then the part is halved.
 template <class Real>

@@ -22,6 +22,8 @@ LocalVector3<double> local(const Direction3& a) { return {a.x, a.y, a.z}; }
 // Times a power of two: nothing is rounded, but for what underflows.
 template <class Real>
 void scale(ProvenVector3<Real>& v) {
+  const LocalVector3<Real>& last = v.power[2];
+  v.is_linear = last.x == 0 && last.y == 0 && last.z == 0 && v.error[2] == 0;
   const double size = std::max({largest(v.power[0]), largest(v.power[1]), largest(v.power[2])});
   if (!(size > 0) || !std::isfinite(size)) return;
   const int shift = -std::ilogb(size);
@@ -31,7 +33,6 @@ void scale(ProvenVector3<Real>& v) {
     p = {Real(ldexp(p.x, shift)), Real(ldexp(p.y, shift)), Real(ldexp(p.z, shift))};
     v.error[k] = std::ldexp(v.error[k], shift) + 0x1p-1000;
   }
-  v.is_linear = largest(v.power[2]) <= 0x1p-800 && v.error[2] <= 0x1p-900;
 }
 
 }  // namespace
@@ -48,7 +49,11 @@ ProvenVector3<double> proven_vector_3(const MovingVector3& vector) {
 template <class Real>
 ProvenVector3<Real> proven_vector_3(const WideVector3<Real>& vector) {
   ProvenVector3<Real> result{{vector.first, vector.second, vector.third}, {}, vector.base, true};
-  for (std::size_t k = 0; k < 3; ++k) result.error[k] = 8 * kRoundoff<Real> * largest(result.power[k]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const LocalVector3<Real>& p = result.power[k];
+    const bool is_zero = p.x == 0 && p.y == 0 && p.z == 0;
+    result.error[k] = is_zero ? 0 : 8 * kRoundoff<Real> * largest(p);
+  }
   scale(result);
   return result;
 }

@@ -46,7 +46,7 @@ ProvenPoint3<Number> cross(const ProvenPoint3<Number>& a, const ProvenPoint3<Num
 // A vector at t = base + s.
 template <class Number, class Real>
 ProvenPoint3<Number> at(const ProvenVector3<Real>& v, const Number& s) {
-  const auto component = [&](Real LocalVector3<Real>::* axis) {
+  const auto component = [&](Real LocalVector3<Real>::*axis) {
     const Number first = Number::of(v.power[0].*axis, v.error[0]), second = Number::of(v.power[1].*axis, v.error[1]);
     if (v.is_linear) return first + s * second;
     return first + s * (second + s * Number::of(v.power[2].*axis, v.error[2]));
