@@ -14,9 +14,9 @@ constexpr double kUnit = 0x1p-53;
 // Errors of coefficients are taken as so many times what roots are told by: products of sums of products of three
 // numbers, each off by some units, come to 135 units of their sizes at most, where 32 are taken.
 constexpr double kErrors = 5;
-// An interval is that much shorter than the way to the roots: first, and where that was not enough. Roots of integers
-// are right to 2^-49 of themselves.
-constexpr double kShrunk[] = {1 - 0x1p-47, 1 - 0x1p-40};
+// An interval is that much shorter than the way to the roots: first, and where that was not enough, as roots of
+// integers are told nearly to the last digit.
+constexpr double kShrunk[] = {1 - 0x1p-49, 1 - 0x1p-46, 1 - 0x1p-40};
 
 // c[0] + c[1] s + c[2] s^2, off by no more than the second.
 std::pair<double, double> value_at(const std::array<double, 3>& c, const std::array<double, 3>& e, double s) {

@@ -221,7 +221,7 @@ TEST_F(ProvenRoom, PartsAreWhatTheyAreToTheirEnds) {
   EXPECT_GT(looked, 300u);
 }
 
-// Nearly all of a stretch is proven: ends are told to 2^-47 of parts.
+// Nearly all of a stretch is proven: ends are told to 2^-49 of parts.
 TEST_F(ProvenPairs, PartsLeaveLittleBetween) {
   for_each_mixed(25, [&](const PairSetting3& setting, const std::vector<PairStretch3>& stretches) {
     StretchMapper3 mapper(setting.bodies);
@@ -231,7 +231,7 @@ TEST_F(ProvenPairs, PartsLeaveLittleBetween) {
       ASSERT_TRUE(mapper.divide_surely(stretch, parts));
       double rest = stretch.high - stretch.low;
       for (const SurePart3& part : parts) rest -= part.piece.high - part.piece.low - part.gaps;
-      EXPECT_LE(rest, 1e-13);
+      EXPECT_LE(rest, 2e-14);
     }
   });
 }
