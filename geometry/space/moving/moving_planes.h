@@ -101,13 +101,14 @@ class MovingPlanes3 {
 
   // From now on keeps what proves signs that are relied on.
   void keep_signs() { keeps_signs_ = true; }
-  // An interval of t within left() and right() on which all signs that were relied on since move_to() are proven to be
-  // those at t: nothing of it rests on how well roots are told. None where that fails, which is never wrong.
-  // REQUIRES keep_signs(), and not is_unlucky(). COST: that of the integers of those that are zero at its ends.
+  // An interval of t, from no further than `left` below to no further than `right` above, on which all signs that were
+  // relied on since move_to() are proven to be those at t: nothing of it rests on how well roots are told. None where
+  // that fails, which is never wrong. REQUIRES keep_signs(), not is_unlucky(), and no further than move_to() was given.
+  // COST: that of the integers of those that are zero at its ends.
   struct ProvenInterval {
     double low, high;
   };
-  std::optional<ProvenInterval> prove_signs();
+  std::optional<ProvenInterval> prove_signs(double left, double right);
   // The normal of a plane, and the direction of a corner, as fine_normal() and fine_direction(), or times something
   // that is positive between low and high: where they are zero at an end, they are divided by what is zero there.
   template <class Real>

@@ -84,22 +84,20 @@ bool MovingPlanes3::proves(const KeptSign& kept, double& left, double& right) {
   if (is_proven_by_doubles(kept.near.c, kept.near.e, kept.sign, left, right)) return true;
   const std::array<Integer, 3> exact = exact_powers(kept);
   if (sgn(exact[0]) != kept.sign) return false;
-  const double known_left = left_, known_right = right_;
+  const double known_left = std::exchange(left_, left), known_right = std::exchange(right_, right);
+  narrow_exactly(exact, kept.sign);
+  const double to_left = std::exchange(left_, known_left), to_right = std::exchange(right_, known_right);
   for (const double shrunk : kShrunk) {
-    left_ = known_left;
-    right_ = known_right;
-    narrow_exactly(exact, kept.sign);
-    left = std::min(left, left_ * shrunk);
-    right = std::min(right, right_ * shrunk);
-    left_ = known_left;
-    right_ = known_right;
+    left = std::min(left, to_left * shrunk);
+    right = std::min(right, to_right * shrunk);
     if (is_proven_by_integers(exact, kept.sign, left, right)) return true;
   }
   return false;
 }
 
-std::optional<MovingPlanes3::ProvenInterval> MovingPlanes3::prove_signs() {
-  double left = left_ * kShrunk[0], right = right_ * kShrunk[0];
+std::optional<MovingPlanes3::ProvenInterval> MovingPlanes3::prove_signs(double left, double right) {
+  left *= kShrunk[0];
+  right *= kShrunk[0];
   for (const KeptSign& kept : kept_signs_)
     if (!proves(kept, left, right)) return {};
   // No further than that, as doubles.

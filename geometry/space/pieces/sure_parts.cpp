@@ -65,7 +65,7 @@ bool StretchMapper3::divide_surely(const PairStretch3& stretch, std::vector<Sure
     if (count > kMostPieces || !look(stretch, low, high, piece)) return false;
     waiting.emplace_back(piece.high, high);
     waiting.emplace_back(low, piece.low);
-    const std::optional<MovingPlanes3::ProvenInterval> proven = planes_.prove_signs();
+    const std::optional<MovingPlanes3::ProvenInterval> proven = planes_.prove_signs(planes_.left(), planes_.right());
     if (!proven) continue;
     piece.low = proven->low;
     piece.high = proven->high;
