@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/space/moving/kept_sign.h"
 #include "geometry/space/moving/moving_planes.h"
 #include "kernel/exact_double.h"
 
@@ -26,10 +27,11 @@ std::pair<double, double> value_at(const std::array<double, 3>& c, const std::ar
               8 * kUnit * (std::fabs(c[0]) + size * (std::fabs(c[1]) + size * std::fabs(c[2])))};
 }
 
+}  // namespace
+
 // A polynomial of degree 2 has the sign of its values at both ends of an interval all along it where in the form of
 // Bernstein, q0 (1 - x)^2 + 2 b x (1 - x) + q1 x^2, b has that sign too, or is zero, or b^2 < q0 q1.
-bool is_proven_by_doubles(const std::array<double, 3>& c, const std::array<double, 3>& e, int sign, double left,
-                          double right) {
+bool keeps_sign_3(const std::array<double, 3>& c, const std::array<double, 3>& e, int sign, double left, double right) {
   const auto [low, low_error] = value_at(c, e, -left);
   const auto [high, high_error] = value_at(c, e, right);
   const double q0 = sign * low - low_error, q1 = sign * high - high_error;
@@ -44,7 +46,7 @@ bool is_proven_by_doubles(const std::array<double, 3>& c, const std::array<doubl
 
 // The same of integers, at numbers that doubles are. Where there is no root, or a double one, the sign is the same on
 // both sides of it.
-bool is_proven_by_integers(const std::array<Integer, 3>& c, int sign, double left, double right) {
+bool keeps_sign_3(const std::array<Integer, 3>& c, int sign, double left, double right) {
   if (c[1] * c[1] <= 4 * c[0] * c[2]) return true;
   const Rational l = -exact_value(left), r = exact_value(right);
   const Rational c0(sign * c[0]), c1(sign * c[1]), c2(sign * c[2]);
@@ -53,8 +55,6 @@ bool is_proven_by_integers(const std::array<Integer, 3>& c, int sign, double lef
   const Rational b = c0 + c1 * (l + r) / 2 + c2 * l * r;
   return sgn(b) >= 0 || b * b < q0 * q1;
 }
-
-}  // namespace
 
 bool MovingPlanes3::is_surely_far_from_zero(const Quadratic& near) const {
   const auto& [c, e] = near;
@@ -81,7 +81,7 @@ std::array<Integer, 3> MovingPlanes3::exact_powers(const KeptSign& kept) {
 
 // Shortens the interval where it holds a root, to just before it.
 bool MovingPlanes3::proves(const KeptSign& kept, double& left, double& right) {
-  if (is_proven_by_doubles(kept.near.c, kept.near.e, kept.sign, left, right)) return true;
+  if (keeps_sign_3(kept.near.c, kept.near.e, kept.sign, left, right)) return true;
   const std::array<Integer, 3> exact = exact_powers(kept);
   if (sgn(exact[0]) != kept.sign) return false;
   const double known_left = std::exchange(left_, left), known_right = std::exchange(right_, right);
@@ -90,7 +90,7 @@ bool MovingPlanes3::proves(const KeptSign& kept, double& left, double& right) {
   for (const double shrunk : kShrunk) {
     left = std::min(left, to_left * shrunk);
     right = std::min(right, to_right * shrunk);
-    if (is_proven_by_integers(exact, kept.sign, left, right)) return true;
+    if (keeps_sign_3(exact, kept.sign, left, right)) return true;
   }
   return false;
 }

@@ -43,7 +43,7 @@ struct PairRequest3 {
 //       Where is_undecided, they could not be
 //   (2) |measure - S| <= error: an estimate, what two quadratures differ by, and rounding; or, of what is bounded
 //       instead of integrated, half of what is between its bounds
-//   (3) bounds enclose S: proven
+//   (3) bounds enclose S: proven. Of sums along edges they are wide unless the request `proves`
 //   (4) where problem is empty, error is within what is allowed; else it is more, and problem says why. A number that
 //       failed the residual of translation is not told: what is told then are bounds
 struct PairMeasure3 {

@@ -2,10 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "geometry/space/arrangement/surface_boxes.h"
@@ -13,6 +16,7 @@
 #include "geometry/space/exchange/exchange.h"
 #include "geometry/space/generate/generators.h"
 #include "geometry/space/integrals/edge_integral.h"
+#include "geometry/space/moving/kept_sign.h"
 #include "geometry/space/pairs/pair_stretches.h"
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
@@ -95,7 +99,7 @@ TEST(Balls, HoldWhatComesOfTheirNumbers) {
   for (int k = 0; k < 20000; ++k) {
     const auto some_ball = [&] { return Ball3<double>{between(random, 0.1, 2), std::exp2(between(random, -60, -4))}; };
     const auto some_number = [&](const Ball3<double>& ball) {
-      return static_cast<long double>(ball.mid) + ball.rad * between(random, -1, 1);
+      return static_cast<long double>(ball.mid) + ball.rad * std::clamp(between(random, -2, 2), -1.0, 1.0);
     };
     const auto expect = [](const Ball3<double>& ball, long double value) {
       EXPECT_LE(std::fabs(value - ball.mid), ball.rad);
@@ -126,6 +130,27 @@ TEST(ErrorOfRule, IsNoLessThanWhatARuleIsOff) {
     }
   // All its terms, whatever is off: the geometric series counts where the ellipse is narrow.
   EXPECT_GE(error_of_rule_3(1, 1.1, 2), 32.0 / 15 * 2 * std::pow(1.1, -4) / (1 - std::pow(1.1, -2)));
+}
+
+// Polynomials (s - a) (s - b) 10^12 of whole numbers, with a root a little within an interval, or a little beyond it.
+TEST(KeptSign, IsToldNextToRoots) {
+  const auto keeps = [](const std::array<long, 3>& c, double left, double right) {
+    const std::array<double, 3> doubles{static_cast<double>(c[0]), static_cast<double>(c[1]),
+                                        static_cast<double>(c[2])};
+    const int sign = c[0] > 0 ? 1 : -1;
+    const bool by_integers = keeps_sign_3({Integer(c[0]), Integer(c[1]), Integer(c[2])}, sign, left, right);
+    EXPECT_TRUE(by_integers || !keeps_sign_3(doubles, {0, 0, 0}, sign, left, right));
+    return by_integers;
+  };
+  EXPECT_TRUE(keeps({-1, 3, 0}, 1, 1.0 / 3 - 1e-12));
+  EXPECT_FALSE(keeps({-1, 3, 0}, 1, 1.0 / 3 + 1e-12));
+  EXPECT_TRUE(keeps({1, 3, 0}, 1.0 / 3 - 1e-12, 1));
+  EXPECT_FALSE(keeps({1, 3, 0}, 1.0 / 3 + 1e-12, 1));
+  EXPECT_TRUE(keeps({1, -4, 4}, 1, 1));      // a double root at 1 / 2
+  EXPECT_FALSE(keeps({12, -49, 49}, 1, 1));  // roots at 3 / 7 and 4 / 7: both signs are the same at the ends
+  EXPECT_TRUE(keeps({13, -49, 49}, 1, 1));   // none
+  EXPECT_TRUE(keeps({12, -49, 49}, 1, 0.4));
+  EXPECT_FALSE(keeps({-12, 49, -49}, 1, 0.5));
 }
 
 // The pairs of a scene that something stands between.
