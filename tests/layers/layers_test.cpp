@@ -109,7 +109,7 @@ const std::map<std::string, std::vector<std::string>> kStages{
     {"plane", {"predicates", "scene", "arrangement", "prepared", "visibility", "exchange", "check"}},
     {"space",
      {"predicates", "scene", "arrangement", "contacts", "visibility", "hiding", "vectors", "between", "stretches",
-      "moving", "pieces", "integrals", "unobstructed", "sky", "pairs", "prepared", "exchange", "check"}}};
+      "moving", "pieces", "integrals", "proven", "unobstructed", "sky", "pairs", "prepared", "exchange", "check"}}};
 
 // The stage of a file of a slice; that of what makes scenes up is none.
 std::optional<std::size_t> stage_of(const fs::path& path) {

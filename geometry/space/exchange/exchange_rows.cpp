@@ -255,6 +255,7 @@ void ExchangeRows3::measure(const PairTurn3& turn, const std::function<void(doub
   ExchangeReport3 counts = report_;
   PairSums3 sums = sum_pairs(prepared_, table_,
                              {.tolerance = request_.tolerance,
+                              .proves = request_.proves,
                               .wants_visibility = request_.wants_visibility,
                               .most_pairs = most_ - std::min<std::uint64_t>(most_, pairs_.size()),
                               .progress = progress,

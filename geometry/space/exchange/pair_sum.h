@@ -64,6 +64,7 @@ using PairSink3 = std::function<void(std::span<PairSum3> pairs, const PairRanges
 // What is asked.
 struct PairSumRequest3 {
   double tolerance = 1e-9;        // as PairRequest3
+  bool proves = false;            // as PairRequest3
   bool wants_visibility = false;  // PairSum3::alone and is_whole; else alone is 0 and is_whole means nothing
   std::uint64_t most_pairs = std::numeric_limits<std::uint64_t>::max();  // beyond: RequestError
   std::function<void(double)> progress = {};  // fraction done, from any thread; may throw to stop

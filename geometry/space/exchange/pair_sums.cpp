@@ -147,7 +147,7 @@ class Measuring {
 
  private:
   PairRequest3 request_of(const Part& a, const Part& b, Effort3 effort) const {
-    return {.share = shares_.share(a, b), .effort = effort};
+    return {.share = shares_.share(a, b), .effort = effort, .proves = request_.proves};
   }
 
   PairSum3 sum_of(const Part& a, const Part& b, const PairMeasure3& pair) const {

@@ -114,6 +114,20 @@ WideVector3<Real> MovingPlanes3::wide_direction(const MovingCorner3& corner, dou
   return wide_powers<Real>(about.powers, base);
 }
 
+template <class Real>
+MovingPlanes3::WholeVector<Real> MovingPlanes3::whole_vector(const ExactPolynomial& exact, double low,
+                                                             double high) const {
+  const auto [about, base] = about_shortest(without_zeros(exact, low, high), low, high);
+  if constexpr (std::is_same_v<Real, double>)
+    return rounded_powers(about.powers, base);
+  else
+    return wide_powers<Real>(about.powers, base);
+}
+
+template MovingPlanes3::WholeVector<double> MovingPlanes3::whole_vector<double>(const ExactPolynomial&, double,
+                                                                                double) const;
+template MovingPlanes3::WholeVector<WideReal> MovingPlanes3::whole_vector<WideReal>(const ExactPolynomial&, double,
+                                                                                    double) const;
 template WideVector3<long double> MovingPlanes3::wide_normal(PlaneId3, double, double);
 template WideVector3<LongReal> MovingPlanes3::wide_normal(PlaneId3, double, double);
 template WideVector3<WideReal> MovingPlanes3::wide_normal(PlaneId3, double, double);

@@ -143,6 +143,7 @@ void MovingPlanes3::move_to(double t, double left, double right) {
   left_ = left;
   right_ = right;
   is_unlucky_ = false;
+  kept_signs_.clear();
   ++stamp_;
   t_ = t;
   split_double_3(t, mantissa_, places_);

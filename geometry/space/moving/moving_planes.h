@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -98,6 +99,25 @@ class MovingPlanes3 {
   template <class Real>
   WideVector3<Real> wide_direction(const MovingCorner3& corner, double low, double high);
 
+  // From now on keeps what proves signs that are relied on.
+  void keep_signs() { keeps_signs_ = true; }
+  // An interval of t, from no further than `left` below to no further than `right` above, on which all signs that were
+  // relied on since move_to() are proven to be those at t: nothing of it rests on how well roots are told. None where
+  // that fails, which is never wrong. REQUIRES keep_signs(), not is_unlucky(), and no further than move_to() was given.
+  // COST: that of the integers of those that are zero at its ends.
+  struct ProvenInterval {
+    double low, high;
+  };
+  std::optional<ProvenInterval> prove_signs(double left, double right);
+  // The normal of a plane, and the direction of a corner, as fine_normal() and fine_direction(), or times something
+  // that is positive between low and high: where they are zero at an end, they are divided by what is zero there.
+  template <class Real>
+  using WholeVector = std::conditional_t<std::is_same_v<Real, double>, MovingVector3, WideVector3<Real>>;
+  template <class Real>
+  WholeVector<Real> whole_normal(PlaneId3 plane, double low, double high);
+  template <class Real>
+  WholeVector<Real> whole_direction(const MovingCorner3& corner, double low, double high);
+
   const SignCounts& counts() const { return counts_; }
   // How many signs were relied on.
   std::uint32_t relied_polynomials() const { return relied_; }
@@ -187,6 +207,24 @@ class MovingPlanes3 {
   // The same with integers, up to one positive factor.
   void narrow_exactly(const std::array<Integer, 3>& c, int sign);
   void take_root(double root);
+  // A polynomial whose sign was relied on: of a corner beside a plane, or of a body's plane over the point.
+  struct KeptSign {
+    MovingCorner3 corner;
+    PlaneId3 plane{0};
+    std::uint32_t body = kNoBody;
+    Quadratic near;
+    int sign;
+  };
+  void keep(const MovingCorner3& corner, PlaneId3 plane, const Quadratic& near, int sign);
+  void keep(std::uint32_t body, const Quadratic& near, int sign);
+  bool is_surely_far_from_zero(const Quadratic& near) const;
+  std::array<Integer, 3> exact_powers(const KeptSign& kept);
+  bool proves(const KeptSign& kept, double& left, double& right);
+  // The powers divided by what they have in common that is zero at no t between low and high.
+  ExactPolynomial without_zeros(const ExactPolynomial& exact, double low, double high) const;
+  bool is_short_somewhere(const MovingVector3& vector, double low, double high) const;
+  template <class Real>
+  WholeVector<Real> whole_vector(const ExactPolynomial& exact, double low, double high) const;
   bool is_fine(const MovingVector3& vector, double low, double high) const;
   // The powers about the t where it is shortest between low and high, multiplied with one number, and t.
   std::pair<ExactPolynomial, double> about_shortest(const ExactPolynomial& exact, double low, double high) const;
@@ -229,6 +267,8 @@ class MovingPlanes3 {
   bool is_unlucky_ = false;
   SignCounts counts_;
   std::uint32_t relied_ = 0;
+  bool keeps_signs_ = false;
+  std::vector<KeptSign> kept_signs_;
 };
 
 }  // namespace hottel

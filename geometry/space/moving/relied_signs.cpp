@@ -45,6 +45,7 @@ int MovingPlanes3::facing(std::uint32_t body) {
   const double slope = dot(plain(b.normal), moves_[anchor]);
   const double slope_error = 16 * kUnit * b.normal.size * size_of(moves_[anchor]);
   const std::array<double, 3> c{product.value, slope, 0}, e{product.error, slope_error, 0};
+  if (keeps_signs_) keep(body, {c, e}, sign);
   if (!is_far_from_zero(c, e) && !narrow(c, e, sign, kJumpError)) narrow_exactly(exact(), sign);
   return -sign;
 }
@@ -144,6 +145,7 @@ inline MovingPlanes3::Quadratic MovingPlanes3::quadratic(const MovingCorner3& co
 inline void MovingPlanes3::rely(const MovingCorner3& corner, PlaneId3 plane, const MovingVector3& m, BoundedValue value,
                                 int sign) {
   const Quadratic near = quadratic(corner, m, value);
+  if (keeps_signs_) keep(corner, plane, near, sign);
   if (!is_far_from_zero(near.c, near.e)) rely_closely(corner, plane, near, sign);
 }
 

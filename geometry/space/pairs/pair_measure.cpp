@@ -6,6 +6,7 @@
 #include <iterator>
 #include <list>
 #include <numbers>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -19,6 +20,7 @@
 #include "geometry/space/pairs/pair_details.h"
 #include "geometry/space/pairs/pair_stretches.h"
 #include "geometry/space/pairs/patch_halves.h"
+#include "geometry/space/proven/edge_enclosure.h"
 #include "geometry/space/sky/no_sky.h"
 #include "geometry/space/sky/sky_cones.h"
 #include "geometry/space/stretches/surface_stretches.h"
@@ -219,6 +221,21 @@ class FinerSums {
   EdgeSum3* best_;
   std::list<FinerSum> finer_;
 };
+
+// Narrows the bounds of a sum along edges to what is proven of it. What is no better than them is taken for the number.
+void prove(const PairSetting3& setting, const MomentOrigin3& origin, long shift,
+           const std::vector<PairStretch3>& stretches, double allowed, PairMeasure3& result) {
+  EdgeEnclosure3 enclosure(setting.bodies, origin, shift);
+  const Enclosure proven = enclosure.enclose(stretches, allowed);
+  result.bounds = {std::max(result.bounds.lower, proven.lower), std::min(result.bounds.upper, proven.upper)};
+  if (!(result.bounds.lower <= result.bounds.upper)) throw std::logic_error("what is proven of a pair excludes itself");
+  PairMeasure3 bounded = result;
+  take_bounds(bounded);
+  const bool is_better = bounded.error < result.error;
+  if (is_better && !result.problem.empty()) result = std::move(bounded);
+  if (is_better && result.error <= allowed) result.problem.clear();
+  result.measure = std::clamp(result.measure, result.bounds.lower, result.bounds.upper);
+}
 
 void tell_between(const PairSetting3& setting, PairDetails3& details) {
   const auto& bodies = setting.bodies.bodies;
@@ -610,11 +627,15 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
   if (details) sums.best().tell(*details);
   // Something is seen.
   result.measure = std::clamp(result.measure, kLittle * alone.bounds.upper, alone.bounds.upper);
-  if (is_done()) return result;
+  const auto end = [&] {
+    if (request.proves) prove(setting, origin, shift, stretches, allowed, result);
+    return result;
+  };
+  if (is_done()) return end();
   const char* const problem = is_sure(result) ? kNotConverged : "the residual of translation is not zero";
   if (!is_sure(result) || bounded.error <= std::max(allowed, result.error)) result = std::move(bounded);
   if (!(result.error <= allowed)) result.problem = problem;
-  return result;
+  return end();
 }
 
 }  // namespace hottel

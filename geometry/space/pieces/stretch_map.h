@@ -10,6 +10,7 @@
 #include "geometry/space/between/joined_bodies.h"
 #include "geometry/space/moving/moving_cone.h"
 #include "geometry/space/pieces/stretch_piece.h"
+#include "geometry/space/pieces/sure_part.h"
 #include "geometry/space/pieces/wide_piece.h"
 #include "geometry/space/stretches/solid_cover.h"
 #include "geometry/space/stretches/stretch.h"
@@ -56,6 +57,17 @@ class StretchMapper3 {
   // A part of a stretch with more digits. REQUIRES that it is one of that stretch, and has its arcs.
   template <class Real>
   WidePiece3<Real> widened(const PairStretch3& stretch, const StretchPiece3& piece);
+
+  // Sets `parts` to parts of a stretch on which what is seen is proven, those too in which it is nothing. Outside of
+  // `low` to `high` of the stretch nothing is seen. False where it took too many steps. COST: some twice that of
+  // divide().
+  //
+  //   (1) of a stretch past which nothing can be seen, whatever t: sees_nothing(), and no parts
+  bool divide_surely(const PairStretch3& stretch, std::vector<SurePart3>& parts);
+  bool sees_nothing(const PairStretch3& stretch) { return !find_sides(stretch); }
+  // REQUIRES that the part is one of that stretch.
+  template <class Real>
+  WholePiece3<Real> whole_piece(const PairStretch3& stretch, const StretchPiece3& piece);
 
   // Whether a surface was found to hide something, at any stretch so far.
   bool is_anything_hidden() const { return is_anything_hidden_; }

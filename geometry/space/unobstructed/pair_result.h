@@ -22,6 +22,9 @@ struct PairRequest3 {
   // The same in the unit of measures, where it is given: then `tolerance` means nothing.
   std::optional<double> share = {};
   Effort3 effort = Effort3::kAll;
+  // Whether bounds are to be proven of sums along edges too: then they are as narrow as the tolerance, as a rule. The
+  // measure is the same but where it is told better so. COST: some times that of the measure.
+  bool proves = false;
   // For tests: integrate along the edges from j to i; settle every pair along edges, also where it is clear; take
   // another origin for moments (in the unit of doubles, added to the usual one; where both patches reach the plane of
   // each other the origin is on the line that both planes share, and moves along it by the first number times what
@@ -40,7 +43,7 @@ struct PairRequest3 {
 //       Where is_undecided, they could not be
 //   (2) |measure - S| <= error: an estimate, what two quadratures differ by, and rounding; or, of what is bounded
 //       instead of integrated, half of what is between its bounds
-//   (3) bounds enclose S: proven
+//   (3) bounds enclose S: proven. Of sums along edges they are wide unless the request `proves`
 //   (4) where problem is empty, error is within what is allowed; else it is more, and problem says why. A number that
 //       failed the residual of translation is not told: what is told then are bounds
 struct PairMeasure3 {

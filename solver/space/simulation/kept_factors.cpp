@@ -30,6 +30,7 @@ StoreKey key_of(const std::string& method, const Scene3& scene, const ExchangeRe
   StoreKey key(kKind);
   key.add(method);
   key.add_bits(request.tolerance);
+  if (request.proves) key.add("proven");
   key.add_count(request.granularity == Granularity::kGroup ? 1 : 0);
   key.add_table(scene);
   for (const Polygon3& polygon : scene.polygons) {

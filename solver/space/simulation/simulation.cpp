@@ -67,6 +67,7 @@ ComputedFactors3 make_factors(const PreparedScene3& prepared, const FactorsReque
                               .wants_visibility = request.wants_visibility,
                               .wants_measures = request.wants_measures,
                               .tolerance = request.tolerance,
+                              .proves = request.must_be_enclosed,
                               .sky = request.sky,
                               .rows = request.rows,
                               .memory = memory_allowed(request.memory)};

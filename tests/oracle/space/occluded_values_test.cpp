@@ -76,6 +76,33 @@ TEST(OccludedValues, AreThoseOfTheFile) {
     expect_factor(polygons_of(entry["polygons"]), entry["value"].get<double>(), entry["name"].get<std::string>());
 }
 
+// What is proven of a pair holds the value, of which the file has all digits that doubles have, and is as narrow as
+// asked.
+void expect_enclosed(const std::vector<SpacePolygon>& polygons, double factor, const std::string& name) {
+  const PairScene3 scene(polygons);
+  const Patch3 i = scene.patch(0), j = scene.patch(1);
+  const double area = scene.area(i), value = factor * area, ulps = 4e-16 * area;
+  for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
+    PairRequest3 how;
+    how.tolerance = tolerance;
+    how.proves = true;
+    const PairMeasure3 m = scene.measure(i, j, how);
+    EXPECT_LE(m.bounds.lower, value + ulps) << name;
+    EXPECT_GE(m.bounds.upper, value - ulps) << name;
+    EXPECT_LE(m.bounds.width(), tolerance * std::min(area, scene.area(j))) << name;
+    EXPECT_TRUE(m.bounds.contains(m.measure)) << name;
+  }
+}
+
+TEST(OccludedValues, AreEnclosed) {
+  std::ifstream file(std::string(HOTTEL_SOURCE_DIR) + "/tests/oracle/space/occluded.json");
+  for (const auto& entry : nlohmann::json::parse(file)["cases"])
+    expect_enclosed(polygons_of(entry["polygons"]), entry["value"].get<double>(), entry["name"].get<std::string>());
+  const mpq_class h(1, 2);
+  expect_enclosed({floor_square(), ceiling_square(), {{0, 0, h}, {h, 0, h}, {h, h, h}, {0, h, h}}}, kParallel * 3 / 4,
+                  "obstructed_squares_corner");
+}
+
 TEST(OccludedValues, SquaresWithAQuarterSquareHalfWay) {
   expect_factor({floor_square(),
                  ceiling_square(),

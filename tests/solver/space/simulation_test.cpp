@@ -9,6 +9,7 @@
 #include <string>
 
 #include "geometry/space/exchange/exchange.h"
+#include "geometry/space/generate/generators.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
@@ -52,6 +53,35 @@ TEST(Simulation3, AStageIsMadeOnceAndSharedWithOtherRequests) {
   EXPECT_NE(other.system(), simulation.system());
   EXPECT_EQ(other.radiosities()->used, Solver::kLu);
   EXPECT_EQ(simulation.with_request({.plan = {.everything = true}}).radiosities(), simulation.radiosities());
+}
+
+// A closed room in which everything reflects 99 % and emits 1 has the radiosity 100 everywhere, whatever stands in it.
+// Without enclosures bounds hold for the factors as they are printed.
+TEST(Simulation3, AFurnaceIsWithinItsBoundsWhereFactorsAreEnclosed) {
+  for (const char* kind : {"room-touching", "room-turned"}) {
+    Scene3 room = generate_3({.kind = kind, .n = 2, .seed = 1});
+    room.closed = true;
+    for (Material& material : room.materials) {
+      Material white;
+      white.name = material.name;
+      white.reflectivity = Spectrum::scalar(Rational(99, 100));
+      white.emission = Spectrum::scalar(1);
+      material = white;
+    }
+    const Simulation3 simulation(std::move(room), {.factors = {.must_be_enclosed = true}});
+    const ExchangeMatrix& factors = simulation.factors()->matrix;
+    EXPECT_NE(factors.guarantee(), Guarantee::kEstimated);
+    const auto solution = simulation.radiosities();
+    for (const auto& channel : solution->channels)
+      for (std::uint32_t i = 0; i < factors.size(); ++i) {
+        if (factors.row(i).empty()) continue;  // backs, and what others stand on
+        const ElementRadiosity& element = channel.elements[i];
+        EXPECT_LE(element.lower, 100);
+        EXPECT_GE(element.upper, 100);
+        EXPECT_LE(element.upper - element.lower, 1e-4);
+        EXPECT_NEAR(element.radiosity, 100, 1e-6);
+      }
+  }
 }
 
 // (4), and (1) of it.

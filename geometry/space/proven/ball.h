@@ -1,0 +1,121 @@
+// Numbers of which it is known how far they may be off: real ones in balls, complex ones in discs. Internal to
+// geometry/space.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "geometry/space/vectors/local_vector.h"
+
+namespace hottel {
+
+namespace ball_arithmetic_3 {
+
+// Radii are sums and products of a few doubles that are not negative: they are rounded far less than this, and what
+// underflows in a centre is less than the second.
+constexpr double kUp = 1 + 0x1p-45, kTiny = 0x1p-900;
+constexpr double kNothingKnown = std::numeric_limits<double>::infinity();
+constexpr double kUnit = 0x1p-53;
+// What arc tangents and logarithms of the library may be off, in units: it promises less than two.
+constexpr double kOfLibrary = 8;
+
+inline double up(double radius) { return radius * kUp + kTiny; }
+inline double down(double length) { return length * (1 - 0x1p-45); }
+inline double size_of(double a) { return std::fabs(a); }
+template <class Real>
+double size_of(const Real& a) {
+  return std::fabs(static_cast<double>(a)) * kUp + kTiny;
+}
+
+}  // namespace ball_arithmetic_3
+
+// A real number, no further from `mid` than `rad`. Every operation gives a ball with all that it could be of numbers in
+// the balls it is of. What is known of nothing has an infinite radius, or one that is no number.
+//
+//   (1) Real is double, long double or WideReal
+template <class Real>
+struct Ball3 {
+  Real mid = 0;
+  double rad = 0;
+
+  static Ball3 of(const Real& value, double error) { return {value, error}; }
+};
+
+template <class Real>
+Ball3<Real> operator+(const Ball3<Real>& a, const Ball3<Real>& b) {
+  using namespace ball_arithmetic_3;
+  const Real mid = a.mid + b.mid;
+  return {mid, up(a.rad + b.rad + kRoundoff<Real> * size_of(mid))};
+}
+template <class Real>
+Ball3<Real> operator-(const Ball3<Real>& a) {
+  return {-a.mid, a.rad};
+}
+template <class Real>
+Ball3<Real> operator-(const Ball3<Real>& a, const Ball3<Real>& b) {
+  return a + -b;
+}
+template <class Real>
+Ball3<Real> operator*(const Ball3<Real>& a, const Ball3<Real>& b) {
+  using namespace ball_arithmetic_3;
+  const double p = size_of(a.mid), q = size_of(b.mid);
+  return {a.mid * b.mid, up(p * b.rad + q * a.rad + a.rad * b.rad + kRoundoff<Real> * (p * q))};
+}
+template <class Real>
+Ball3<Real> inverse(const Ball3<Real>& a) {
+  using namespace ball_arithmetic_3;
+  const double least = down(down(size_of(a.mid))), inner = down(least - a.rad);
+  if (!(inner > kTiny)) return {Real(0), kNothingKnown};
+  return {Real(1 / a.mid), up(a.rad / (least * inner) + 2 * kRoundoff<Real> / least)};
+}
+// |sqrt(w) - sqrt(c)| = |w - c| / (sqrt(w) + sqrt(c)).
+template <class Real>
+Ball3<Real> root(const Ball3<Real>& a) {
+  using namespace ball_arithmetic_3;
+  using std::sqrt;
+  const double least = down(down(static_cast<double>(a.mid)));
+  if (!(least > a.rad && least > kTiny)) return {Real(0), kNothingKnown};
+  const Real mid = sqrt(a.mid);
+  return {mid, up(a.rad / down(std::sqrt(least)) + 2 * kRoundoff<Real> * size_of(mid))};
+}
+// Its slope is 1 at most.
+template <class Real>
+Ball3<Real> arc_tangent(const Ball3<Real>& a) {
+  using namespace ball_arithmetic_3;
+  using std::atan;
+  const Real mid = atan(a.mid);
+  return {mid, up(a.rad + kOfLibrary * kRoundoff<Real> * size_of(mid))};
+}
+
+// A complex number, no further from re + i im than `rad`; as Ball3. root() and arc_tangent() are the principal ones,
+// and nothing is known of them where the disc meets a cut, or may: so what is made of discs without infinite radii is
+// one analytic function all over them.
+struct Disc3 {
+  double re = 0, im = 0, rad = 0;
+
+  static Disc3 of(double value, double error) { return {value, 0, error}; }
+  // How far the centre is from zero, at most.
+  double size() const { return std::sqrt(re * re + im * im) * ball_arithmetic_3::kUp + ball_arithmetic_3::kTiny; }
+  // The sum of both parts, which are rounded in proportion to it.
+  double parts() const { return std::fabs(re) + std::fabs(im); }
+};
+
+inline Disc3 operator+(const Disc3& a, const Disc3& b) {
+  using namespace ball_arithmetic_3;
+  const Disc3 sum{a.re + b.re, a.im + b.im, 0};
+  return {sum.re, sum.im, up(a.rad + b.rad + kUnit * sum.parts())};
+}
+inline Disc3 operator-(const Disc3& a) { return {-a.re, -a.im, a.rad}; }
+inline Disc3 operator-(const Disc3& a, const Disc3& b) { return a + -b; }
+inline Disc3 operator*(const Disc3& a, const Disc3& b) {
+  using namespace ball_arithmetic_3;
+  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re,
+          up(a.size() * b.rad + b.size() * a.rad + a.rad * b.rad + 4 * kUnit * (a.parts() * b.parts()))};
+}
+
+Disc3 inverse(const Disc3& a);
+Disc3 root(const Disc3& a);
+Disc3 arc_tangent(const Disc3& a);
+
+}  // namespace hottel
