@@ -6,9 +6,12 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "Exact view factors and light of scenes in the plane and in space: the library itself.";
   module.attr("__version__") = hottel::kVersion;
   hottel::python::add_errors(module);
+  hottel::python::add_picture(module);
   hottel::python::add_scene(module);
   hottel::python::add_factors(module);
   hottel::python::add_radiosity(module);
   hottel::python::add_visible(module);
+  hottel::python::add_grid(module);
+  hottel::python::add_oriented_light(module);
   hottel::python::add_simulation(module);
 }

@@ -1,3 +1,5 @@
+#include "python/bindings/simulation.h"
+
 #include <memory>
 
 #include "geometry/plane/exchange/exchange.h"
@@ -6,15 +8,17 @@
 #include "kernel/support/failure.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/factors.h"
+#include "python/bindings/grid.h"
 #include "python/bindings/numbers.h"
+#include "python/bindings/oriented_light.h"
 #include "python/bindings/point_light.h"
 #include "python/bindings/radiosity.h"
 #include "python/bindings/simulation_options.h"
+#include "python/bindings/simulation_picture.h"
 #include "python/bindings/visible.h"
 #include "solver/plane/simulation/questions.h"
 
 namespace hottel::python {
-namespace {
 
 std::shared_ptr<const ExchangeMatrix> matrix_of(const AnySimulation& simulation, const StageProgress& progress) {
   return std::visit(
@@ -25,6 +29,8 @@ std::shared_ptr<const ExchangeMatrix> matrix_of(const AnySimulation& simulation,
       },
       simulation);
 }
+
+namespace {
 
 // The same factors once more, with visibilities.
 MatrixWithVisibility with_visibility(const AnySimulation& simulation, const StageProgress& progress) {
@@ -42,162 +48,128 @@ MatrixWithVisibility with_visibility(const AnySimulation& simulation, const Stag
   return {matrix, *wider.hidden(progress)};
 }
 
-// A simulation, and what was made of it for Python. REQUIRES the lock of the interpreter for every function.
-class PythonSimulation {
- private:
-  const Simulation2& in_the_plane() const { return std::get<Simulation2>(*simulation_); }
-  const Simulation3& in_space() const { return std::get<Simulation3>(*simulation_); }
+}  // namespace
 
-  struct Solved {
-    std::shared_ptr<const ExchangeMatrix> matrix;
-    std::shared_ptr<const RadiositySolution> solution;
-  };
+template <class Values>
+py::array PythonSimulation::light_at(const Values& values_at) const {
+  PointLightValues found = without_lock(options_.waiting, values_at);
+  const auto channels = static_cast<py::ssize_t>(found.channels);
+  const auto points = static_cast<py::ssize_t>(found.values.size()) / channels;
+  return frozen(std::move(found.values), {points, channels});
+}
 
-  template <class Work>
-  auto waited(const Work& work) const {
-    return without_lock(options_.waiting, [&](const StageProgress& progress) { return work(*simulation_, progress); });
-  }
-  Solved solve() const {
-    return waited([](const AnySimulation& simulation, const StageProgress& progress) {
-      Solved solved;
-      solved.solution = std::visit([&](const auto& each) { return each.radiosities(progress); }, simulation);
-      solved.matrix = matrix_of(simulation, progress);
-      return solved;
-    });
-  }
+PythonSimulation::Solved PythonSimulation::solve() const {
+  return waited([](const AnySimulation& simulation, const StageProgress& progress) {
+    Solved solved;
+    solved.solution = std::visit([&](const auto& each) { return each.radiosities(progress); }, simulation);
+    solved.matrix = matrix_of(simulation, progress);
+    return solved;
+  });
+}
 
- public:
-  PythonSimulation(PythonScene scene, SimulationOptions options, std::shared_ptr<const AnySimulation> simulation)
-      : scene_(std::move(scene)), options_(std::move(options)), simulation_(std::move(simulation)) {}
+PythonSimulation PythonSimulation::of(const PythonScene& scene, SimulationOptions options) {
+  require_sense(options, scene.is_plane());
+  auto simulation =
+      without_lock({}, [&](const StageProgress&) { return simulation_of(divided(scene.scene(), options), options); });
+  return {scene, std::move(options), std::move(simulation)};
+}
 
-  static PythonSimulation of(const PythonScene& scene, SimulationOptions options) {
-    require_sense(options, scene.is_plane());
-    auto simulation =
-        without_lock({}, [&](const StageProgress&) { return simulation_of(divided(scene.scene(), options), options); });
-    return {scene, std::move(options), std::move(simulation)};
-  }
+PythonSimulation PythonSimulation::with_scene(const PythonScene& scene) const {
+  if (scene.is_plane() != scene_.is_plane()) throw UsageError("the other scene is of another dimension");
+  auto simulation = without_lock({}, [&](const StageProgress&) {
+    hottel::Scene other = divided(scene.scene(), options_);
+    if (auto* const plane = std::get_if<Scene2>(&other))
+      return std::make_shared<const AnySimulation>(in_the_plane().with_scene(std::move(*plane)));
+    return std::make_shared<const AnySimulation>(in_space().with_scene(std::get<Scene3>(std::move(other))));
+  });
+  return {scene, options_, std::move(simulation)};
+}
 
-  PythonSimulation with_scene(const PythonScene& scene) const {
-    if (scene.is_plane() != scene_.is_plane()) throw UsageError("the other scene is of another dimension");
-    auto simulation = without_lock({}, [&](const StageProgress&) {
-      hottel::Scene other = divided(scene.scene(), options_);
-      if (auto* const plane = std::get_if<Scene2>(&other))
-        return std::make_shared<const AnySimulation>(in_the_plane().with_scene(std::move(*plane)));
-      return std::make_shared<const AnySimulation>(in_space().with_scene(std::get<Scene3>(std::move(other))));
-    });
-    return {scene, options_, std::move(simulation)};
-  }
-
-  const PythonScene& scene() const { return scene_; }
-
-  py::object factors() {
-    return kept(factors_, [this] {
-      const auto matrix =
-          waited([](const auto& simulation, const auto& progress) { return matrix_of(simulation, progress); });
-      const bool is_exact = options_.method == "exact";
-      return py::cast(PythonFactors(matrix, is_exact, [options = options_, simulation = simulation_] {
-        if (options.method != "exact") throw UsageError("visibilities are of the method 'exact'");
-        return without_lock(options.waiting, [&simulation](const StageProgress& progress) {
-          return with_visibility(*simulation, progress);
-        });
-      }));
-    });
-  }
-
-  py::object radiosity() {
-    return kept(radiosity_, [this] {
-      const Solved solved = solve();
-      return py::cast(radiosity_table(scene_.table(), *solved.matrix, *solved.solution));
-    });
-  }
-
-  py::object temperatures() {
-    return kept(temperatures_, [this] {
-      const Solved solved = solve();
-      return py::cast(temperature_table(scene_.table(), *solved.matrix, *solved.solution));
-    });
-  }
-
-  // Of faces, groups and lights.
-  py::object flux(std::vector<NetFlux> NetFluxes::*which, py::object& place) {
-    return kept(place, [this, which] {
-      const Solved solved = solve();
-      const NetFluxes fluxes = waited([&](const AnySimulation& simulation, const StageProgress& progress) {
-        return std::visit(
-            [&](const auto& each) {
-              return NetFluxes(each.scene(), *solved.matrix, *solved.solution, *each.light_shares(progress));
-            },
-            simulation);
+py::object PythonSimulation::factors() {
+  return kept(factors_, [this] {
+    const auto matrix =
+        waited([](const auto& simulation, const auto& progress) { return matrix_of(simulation, progress); });
+    const bool is_exact = options_.method == "exact";
+    return py::cast(PythonFactors(matrix, is_exact, [options = options_, simulation = simulation_] {
+      if (options.method != "exact") throw UsageError("visibilities are of the method 'exact'");
+      return without_lock(options.waiting, [&simulation](const StageProgress& progress) {
+        return with_visibility(*simulation, progress);
       });
-      return py::cast(flux_table(fluxes, fluxes.*which, to_string(solved.solution->guarantee)));
-    });
-  }
-  py::object face_flux() { return flux(&NetFluxes::faces, faces_); }
-  py::object group_flux() { return flux(&NetFluxes::groups, groups_); }
-  py::object light_flux() { return flux(&NetFluxes::lights, lights_); }
-
-  py::array light(const py::object& array, bool is_binary) const {
-    if (scene_.is_plane()) {
-      const PythonPoints points(array, 2, is_binary);
-      return light_at([&](const StageProgress& progress) { return light_at_points(in_the_plane(), points, progress); });
-    }
-    const PythonPoints points(array, 3, is_binary);
-    return light_at([&](const StageProgress& progress) { return light_at_points(in_space(), points, progress); });
-  }
-
-  PythonVisible visible(const py::object& array, const py::object& range, bool is_binary) const {
-    if (!scene_.is_plane())
-      throw UsageError("visibility polygons are of scenes in the plane; this version does not have them in space");
-    const PythonPoints points(array, 2, is_binary);
-    PolygonsOptions2 wanted;
-    if (!range.is_none()) wanted.range = rational_of(range, is_binary, "range");
-    if (wanted.range && *wanted.range <= 0) throw UsageError("range is a distance above 0");
-    return PythonVisible(without_lock(options_.waiting, [&](const StageProgress& progress) {
-      const auto prepared = in_the_plane().prepared(progress);
-      return visible_lists(*prepared, polygons_of(*prepared, points, wanted, progress));
     }));
-  }
+  });
+}
 
-  py::dict exact_form(const std::string& from, const std::string& to) const {
-    if (!scene_.is_plane())
-      throw UsageError("closed forms are of scenes in the plane; this version does not have them in space");
-    const ExactPair2 pair = waited([&](const AnySimulation&, const StageProgress& progress) {
-      in_the_plane().prepared(progress);
-      return exact_pair(in_the_plane(), from, to);
+py::object PythonSimulation::radiosity() {
+  return kept(radiosity_, [this] {
+    const Solved solved = solve();
+    return py::cast(radiosity_table(scene_.table(), *solved.matrix, *solved.solution));
+  });
+}
+
+py::object PythonSimulation::temperatures() {
+  return kept(temperatures_, [this] {
+    const Solved solved = solve();
+    return py::cast(temperature_table(scene_.table(), *solved.matrix, *solved.solution));
+  });
+}
+
+py::object PythonSimulation::flux(std::vector<NetFlux> NetFluxes::*which, py::object& place) {
+  return kept(place, [this, which] {
+    const Solved solved = solve();
+    const NetFluxes fluxes = waited([&](const AnySimulation& simulation, const StageProgress& progress) {
+      return std::visit(
+          [&](const auto& each) {
+            return NetFluxes(each.scene(), *solved.matrix, *solved.solution, *each.light_shares(progress));
+          },
+          simulation);
     });
-    py::dict result;
-    result["exchange"] = pair.exchange.to_string();
-    result["unobstructed"] = pair.unobstructed.to_string();
-    result["area_from"] = pair.area_from.to_string();
-    result["area_to"] = pair.area_to.to_string();
-    return result;
-  }
+    return py::cast(flux_table(fluxes, fluxes.*which, to_string(solved.solution->guarantee)));
+  });
+}
 
-  std::string text() const {
-    return std::string("<hottel.Simulation of a scene in ") + (scene_.is_plane() ? "the plane" : "space") +
-           ", method " + options_.method + ">";
+py::array PythonSimulation::light(const py::object& array, bool is_binary) const {
+  if (scene_.is_plane()) {
+    const PythonPoints points(array, 2, is_binary);
+    return light_at([&](const StageProgress& progress) { return light_at_points(in_the_plane(), points, progress); });
   }
+  const PythonPoints points(array, 3, is_binary);
+  return light_at([&](const StageProgress& progress) { return light_at_points(in_space(), points, progress); });
+}
 
- private:
-  template <class Values>
-  py::array light_at(const Values& values_at) const {
-    PointLightValues found = without_lock(options_.waiting, values_at);
-    const auto channels = static_cast<py::ssize_t>(found.channels);
-    const auto points = static_cast<py::ssize_t>(found.values.size()) / channels;
-    return frozen(std::move(found.values), {points, channels});
-  }
-  template <class Make>
-  static py::object kept(py::object& place, const Make& make) {
-    if (place.is_none()) place = make();
-    return place;
-  }
+PythonVisible PythonSimulation::visible(const py::object& array, const py::object& range, bool is_binary) const {
+  if (!scene_.is_plane())
+    throw UsageError("visibility polygons are of scenes in the plane; this version does not have them in space");
+  const PythonPoints points(array, 2, is_binary);
+  PolygonsOptions2 wanted;
+  if (!range.is_none()) wanted.range = rational_of(range, is_binary, "range");
+  if (wanted.range && *wanted.range <= 0) throw UsageError("range is a distance above 0");
+  return PythonVisible(without_lock(options_.waiting, [&](const StageProgress& progress) {
+    const auto prepared = in_the_plane().prepared(progress);
+    return visible_lists(*prepared, polygons_of(*prepared, points, wanted, progress));
+  }));
+}
 
-  PythonScene scene_;
-  SimulationOptions options_;
-  std::shared_ptr<const AnySimulation> simulation_;
-  py::object factors_{py::none()}, radiosity_{py::none()}, temperatures_{py::none()};
-  py::object faces_{py::none()}, groups_{py::none()}, lights_{py::none()};
-};
+py::dict PythonSimulation::exact_form(const std::string& from, const std::string& to) const {
+  if (!scene_.is_plane())
+    throw UsageError("closed forms are of scenes in the plane; this version does not have them in space");
+  const ExactPair2 pair = waited([&](const AnySimulation&, const StageProgress& progress) {
+    in_the_plane().prepared(progress);
+    return exact_pair(in_the_plane(), from, to);
+  });
+  py::dict result;
+  result["exchange"] = pair.exchange.to_string();
+  result["unobstructed"] = pair.unobstructed.to_string();
+  result["area_from"] = pair.area_from.to_string();
+  result["area_to"] = pair.area_to.to_string();
+  return result;
+}
+
+std::string PythonSimulation::text() const {
+  return std::string("<hottel.Simulation of a scene in ") + (scene_.is_plane() ? "the plane" : "space") + ", method " +
+         options_.method + ">";
+}
+
+namespace {
 
 constexpr const char* kDoc =
     "A scene simulated: what is asked for is made when it is asked for, once, and kept.\n\n"
@@ -295,6 +267,9 @@ void add_simulation(py::module_& module) {
            py::arg("progress") = py::none(), "Makes a simulation; see the class.");
   add_results(type);
   add_questions(type);
+  add_grid_questions(type);
+  add_oriented_light_questions(type);
+  add_picture_questions(type);
   type.def("__repr__", &PythonSimulation::text);
 }
 

@@ -7,8 +7,11 @@ Errors are InputError, RequestError and UsageError, all of them Error. All array
 from hottel._core import (
     Error,
     Factors,
+    Grid,
     InputError,
     NetFlux,
+    OrientedLight,
+    Picture,
     Radiosity,
     RequestError,
     Scene,
@@ -23,8 +26,11 @@ from hottel._core import (
 __all__ = [
     "Error",
     "Factors",
+    "Grid",
     "InputError",
     "NetFlux",
+    "OrientedLight",
+    "Picture",
     "Radiosity",
     "RequestError",
     "Scene",
