@@ -8,10 +8,14 @@ PYBIND11_MODULE(_core, module) {
   hottel::python::add_errors(module);
   hottel::python::add_picture(module);
   hottel::python::add_scene(module);
+  hottel::python::add_check(module);
+  hottel::python::add_generate(module);
   hottel::python::add_factors(module);
   hottel::python::add_radiosity(module);
   hottel::python::add_visible(module);
   hottel::python::add_grid(module);
   hottel::python::add_oriented_light(module);
+  hottel::python::add_plan(module);
   hottel::python::add_simulation(module);
+  hottel::python::add_frames(module);
 }

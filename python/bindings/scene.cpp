@@ -13,6 +13,7 @@
 #include "kernel/support/failure.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
+#include "python/bindings/check.h"
 #include "python/bindings/errors.h"
 #include "python/bindings/numbers.h"
 #include "python/bindings/picture.h"
@@ -296,6 +297,7 @@ void add_scene(py::module_& module) {
   add_properties(type);
   add_methods(type);
   add_pictures(type);
+  add_check_questions(type);
   type.def("__len__", [](const PythonScene& scene) { return scene.table().surfaces.size(); })
       .def("__repr__", &short_table)
       .def("__eq__", &are_equal, py::is_operator())

@@ -6,17 +6,22 @@
 #include "geometry/plane/visibility/visibility_polygons.h"
 #include "io/results/radiosity_files.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/memory.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/factors.h"
+#include "python/bindings/frames.h"
 #include "python/bindings/grid.h"
 #include "python/bindings/numbers.h"
 #include "python/bindings/oriented_light.h"
+#include "python/bindings/plan.h"
 #include "python/bindings/point_light.h"
 #include "python/bindings/radiosity.h"
 #include "python/bindings/simulation_options.h"
 #include "python/bindings/simulation_picture.h"
 #include "python/bindings/visible.h"
 #include "solver/plane/simulation/questions.h"
+#include "solver/radiosity/gray_exchange.h"
+#include "solver/store.h"
 
 namespace hottel::python {
 
@@ -69,18 +74,19 @@ PythonSimulation::Solved PythonSimulation::solve() const {
 
 PythonSimulation PythonSimulation::of(const PythonScene& scene, SimulationOptions options) {
   require_sense(options, scene.is_plane());
-  auto simulation =
-      without_lock({}, [&](const StageProgress&) { return simulation_of(divided(scene.scene(), options), options); });
+  auto simulation = without_lock(options.waiting, [&](const StageProgress& progress) {
+    return refined_by(options, simulation_of(divided(scene.scene(), options), options, store_of(options)), progress);
+  });
   return {scene, std::move(options), std::move(simulation)};
 }
 
 PythonSimulation PythonSimulation::with_scene(const PythonScene& scene) const {
   if (scene.is_plane() != scene_.is_plane()) throw UsageError("the other scene is of another dimension");
-  auto simulation = without_lock({}, [&](const StageProgress&) {
+  auto simulation = waited([&](const AnySimulation&, const StageProgress& progress) {
     hottel::Scene other = divided(scene.scene(), options_);
     if (auto* const plane = std::get_if<Scene2>(&other))
-      return std::make_shared<const AnySimulation>(in_the_plane().with_scene(std::move(*plane)));
-    return std::make_shared<const AnySimulation>(in_space().with_scene(std::get<Scene3>(std::move(other))));
+      return refined_by(options_, in_the_plane().with_scene(std::move(*plane)), progress);
+    return refined_by(options_, in_space().with_scene(std::get<Scene3>(std::move(other))), progress);
   });
   return {scene, options_, std::move(simulation)};
 }
@@ -97,6 +103,38 @@ py::object PythonSimulation::factors() {
       });
     }));
   });
+}
+
+py::object PythonSimulation::script_f(const std::string& channel) {
+  if (options_.method != "exact") throw UsageError("script-F is of the method 'exact'");
+  if (!channel.empty() && scene_.table().has_bands)
+    throw UsageError("the scene has two bands, not r, g and b: script-F is of the thermal one");
+  const py::str key(channel);
+  if (script_f_.contains(key)) return script_f_[key];
+  const auto gray = waited([&](const AnySimulation& simulation, const StageProgress& progress) {
+    const auto matrix = matrix_of(simulation, progress);
+    const std::vector<Material>& materials = scene_.table().materials;
+    const auto memory = static_cast<std::uint64_t>(options_.memory.value_or(0));
+    return std::make_shared<const ExchangeMatrix>(gray_exchange(*matrix, materials,
+                                                                {.channel = gray_channel(*matrix, materials, channel),
+                                                                 .memory = memory_allowed(memory),
+                                                                 .progress = telling("script-F", progress)}));
+  });
+  script_f_[key] = PythonFactors(gray, true, []() -> MatrixWithVisibility {
+    throw UsageError("visibilities are of view factors, not of script-F");
+  });
+  return script_f_[key];
+}
+
+py::object PythonSimulation::store_use() const {
+  const auto store = is_plane() ? in_the_plane().request().store : in_space().request().factors.store;
+  if (!store) return py::none();
+  const StoreUse use = store->use();
+  py::dict result;
+  result["computed"] = use.computed;
+  result["read"] = use.read;
+  result["damaged"] = use.damaged;
+  return result;
 }
 
 py::object PythonSimulation::radiosity() {
@@ -175,10 +213,14 @@ constexpr const char* kDoc =
     "A scene simulated: what is asked for is made when it is asked for, once, and kept.\n\n"
     "Simulation(scene, *, elements=None, element_size=None, per=None, method='exact', tolerance=None, "
     "guarantee='estimated',\n"
-    "sky=None, solver='auto', iterations=None, until=None, memory=None, simulate='auto', threads=None, "
-    "progress=None).\n"
+    "sky=None, solver='auto', iterations=None, until=None, memory=None, simulate='auto', store=None, "
+    "levels=0, light_levels=0,\nthreads=None, progress=None).\n"
     "Names and values are those of options of the program. per: 'face', 'element' or 'group'; by default elements\n"
-    "where the scene is divided. tolerance, guarantee and sky are of scenes in space. memory: bytes. threads: at most "
+    "where the scene is divided. tolerance, guarantee and sky are of scenes in space. memory: bytes. store: a file "
+    "where\n"
+    "view factors are kept from one run to the next. levels: divide every element so often in halves, in space in "
+    "four;\n"
+    "light_levels: those that the border of a beam or a shadow crosses. threads: at most "
     "so\n"
     "many. progress(stage, fraction) is called meanwhile; what it throws ends the work, and so does Ctrl-C.\n"
     "While anything long runs, other threads of Python run too. Throws UsageError for arguments that make no sense.";
@@ -189,6 +231,7 @@ PythonSimulation new_simulation(const PythonScene& scene, std::optional<std::int
                                 const std::string& guarantee, std::optional<std::string> sky, const std::string& solver,
                                 std::optional<std::int64_t> iterations, std::optional<double> until,
                                 std::optional<std::int64_t> memory, const std::string& simulate,
+                                std::optional<std::filesystem::path> store, int levels, int light_levels,
                                 std::optional<int> threads, py::object progress) {
   if (!progress.is_none() && PyCallable_Check(progress.ptr()) == 0)
     throw py::type_error("progress is called with a stage and a fraction: it has to be callable");
@@ -205,6 +248,8 @@ PythonSimulation new_simulation(const PythonScene& scene, std::optional<std::int
   options.guarantee = guarantee;
   options.solver = solver;
   options.simulate = simulate;
+  options.store = std::move(store);
+  options.levels = {levels, light_levels};
   options.waiting = {threads, std::move(progress)};
   return PythonSimulation::of(scene, std::move(options));
 }
@@ -215,6 +260,14 @@ void add_results(py::class_<PythonSimulation>& type) {
           "factors", &PythonSimulation::factors,
           "The view factors, Factors. RequestError where the scene promises to be closed and is not,\n"
           "where the memory does not suffice, or a pair in space cannot be measured.")
+      .def("script_f", &PythonSimulation::script_f, py::arg("channel") = "",
+           "Returns gray-body exchange factors (script-F, reflections counted) with proven bounds, Factors without\n"
+           "visibilities.\n\n"
+           "channel: 'r', 'g' or 'b', whose reflectivities, where materials are not gray. RequestError where they are\n"
+           "not and no channel is chosen, UsageError for another channel, and for other methods than 'exact'.")
+      .def_property_readonly("store_use", &PythonSimulation::store_use,
+                             "What the file of `store` was asked for, a dict of numbers of pairs: 'computed', 'read',\n"
+                             "and records that were 'damaged'; None without a store.")
       .def_property_readonly(
           "radiosity", &PythonSimulation::radiosity,
           "The radiosities of elements with proven bounds, Radiosity. RequestError as of factors, and\n"
@@ -263,10 +316,13 @@ void add_simulation(py::module_& module) {
            py::arg("element_size") = py::none(), py::arg("per") = py::none(), py::arg("method") = "exact",
            py::arg("tolerance") = py::none(), py::arg("guarantee") = "estimated", py::arg("sky") = py::none(),
            py::arg("solver") = "auto", py::arg("iterations") = py::none(), py::arg("until") = py::none(),
-           py::arg("memory") = py::none(), py::arg("simulate") = "auto", py::arg("threads") = py::none(),
+           py::arg("memory") = py::none(), py::arg("simulate") = "auto", py::arg("store") = py::none(),
+           py::arg("levels") = 0, py::arg("light_levels") = 0, py::arg("threads") = py::none(),
            py::arg("progress") = py::none(), "Makes a simulation; see the class.");
   add_results(type);
   add_questions(type);
+  add_plan_questions(type);
+  add_frames_questions(type);
   add_grid_questions(type);
   add_oriented_light_questions(type);
   add_picture_questions(type);

@@ -25,6 +25,7 @@ class PythonSimulation {
  public:
   PythonSimulation(PythonScene scene, SimulationOptions options, std::shared_ptr<const AnySimulation> simulation)
       : scene_(std::move(scene)), options_(std::move(options)), simulation_(std::move(simulation)) {}
+  // Throws UsageError for options that make no sense.
   static PythonSimulation of(const PythonScene& scene, SimulationOptions options);
   PythonSimulation with_scene(const PythonScene& scene) const;
 
@@ -43,6 +44,10 @@ class PythonSimulation {
   }
 
   py::object factors();
+  // channel: "r", "g" or "b", or empty.
+  py::object script_f(const std::string& channel);
+  // What the store was asked for, a dict; None where there is none.
+  py::object store_use() const;
   py::object radiosity();
   py::object temperatures();
   py::object face_flux() { return flux(&NetFluxes::faces, faces_); }
@@ -72,6 +77,7 @@ class PythonSimulation {
   PythonScene scene_;
   SimulationOptions options_;
   std::shared_ptr<const AnySimulation> simulation_;
+  py::dict script_f_;  // by channel
   py::object factors_{py::none()}, radiosity_{py::none()}, temperatures_{py::none()};
   py::object faces_{py::none()}, groups_{py::none()}, lights_{py::none()};
 };

@@ -1,16 +1,15 @@
 #include "python/bindings/simulation_picture.h"
 
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "geometry/near_names.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "python/bindings/light_request.h"
 #include "python/bindings/picture.h"
+#include "python/bindings/picture_names.h"
 #include "solver/plane/light/oriented_lights.h"
 #include "solver/space/light/oriented_lights.h"
 #include "viewer/picture/plane/illumination_picture.h"
@@ -45,22 +44,6 @@ struct PictureRequest {
   bool is_of_grid = false;   // in space
 };
 
-Tone tone_named(const std::string& name) {
-  const auto tone = tone_of(name);
-  if (!tone)
-    throw UnknownName("tone is one of 'linear', 'reinhard', 'log', 'max', not '" + name + "'", name,
-                      std::vector<std::string>{"linear", "reinhard", "log", "max"});
-  return *tone;
-}
-
-Shading shading_named(const std::string& name) {
-  const auto shading = shading_of(name);
-  if (!shading)
-    throw UnknownName("shading is one of 'flat', 'smooth', 'parents', not '" + name + "'", name,
-                      std::vector<std::string>{"flat", "smooth", "parents"});
-  return *shading;
-}
-
 void require_sense_in_plane(const PictureKeywords& asked, const PictureRequest& request) {
   if (asked.of != "scene") throw UsageError("of is of scenes in space: in the plane light has a picture of its grid");
   if (request.shown.is_light() && request.shading != Shading::kFlat)
@@ -90,7 +73,7 @@ PictureRequest request_of(const PythonScene& scene, const PictureKeywords& asked
                          .contours = asked.contours,
                          .has_axes = asked.has_axes,
                          .is_of_grid = asked.of == "grid"};
-  if (!(request.exposure > 0 && std::isfinite(request.exposure))) throw UsageError("exposure is a positive number");
+  require_exposure(request.exposure);
   if (asked.contours < 0 || asked.contours > 100) throw UsageError("contours are a number from 0 to 100");
   if (!request.shown.is_light() && (request.tone != Tone::kLog || request.exposure != 1 || asked.contours > 0))
     throw UsageError("tone, exposure and contours are of show='light': '" + asked.show + "' has a scale");
