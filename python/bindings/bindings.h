@@ -20,6 +20,7 @@ void add_visible(py::module_& module);
 void add_grid(py::module_& module);
 void add_oriented_light(py::module_& module);
 void add_plan(py::module_& module);
+void add_judgement(py::module_& module);
 void add_simulation(py::module_& module);
 void add_frames(py::module_& module);
 

@@ -16,6 +16,7 @@ PYBIND11_MODULE(_core, module) {
   hottel::python::add_grid(module);
   hottel::python::add_oriented_light(module);
   hottel::python::add_plan(module);
+  hottel::python::add_judgement(module);
   hottel::python::add_simulation(module);
   hottel::python::add_frames(module);
 }

@@ -11,6 +11,7 @@
 #include "python/bindings/factors.h"
 #include "python/bindings/frames.h"
 #include "python/bindings/grid.h"
+#include "python/bindings/judgement.h"
 #include "python/bindings/numbers.h"
 #include "python/bindings/oriented_light.h"
 #include "python/bindings/plan.h"
@@ -124,6 +125,18 @@ py::object PythonSimulation::script_f(const std::string& channel) {
     throw UsageError("visibilities are of view factors, not of script-F");
   });
   return script_f_[key];
+}
+
+std::shared_ptr<const std::variant<MethodComparison2, MethodComparison3>> PythonSimulation::comparison() {
+  using Any = std::variant<MethodComparison2, MethodComparison3>;
+  if (!comparison_)
+    comparison_ = waited([](const AnySimulation& simulation, const StageProgress& progress) {
+      if (const auto* const plane = std::get_if<Simulation2>(&simulation))
+        return std::make_shared<const Any>(std::in_place_type<MethodComparison2>, *plane, progress);
+      return std::make_shared<const Any>(std::in_place_type<MethodComparison3>, std::get<Simulation3>(simulation),
+                                         progress);
+    });
+  return comparison_;
 }
 
 py::object PythonSimulation::store_use() const {
@@ -322,6 +335,7 @@ void add_simulation(py::module_& module) {
   add_results(type);
   add_questions(type);
   add_plan_questions(type);
+  add_compare_questions(type);
   add_frames_questions(type);
   add_grid_questions(type);
   add_oriented_light_questions(type);

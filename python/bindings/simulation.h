@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "io/results/radiosity_files.h"
@@ -14,6 +15,8 @@
 #include "python/bindings/simulation_options.h"
 #include "python/bindings/visible.h"
 #include "python/bindings/waiting.h"
+#include "solver/plane/compare/method_comparison.h"
+#include "solver/space/compare/method_comparison.h"
 
 namespace hottel::python {
 
@@ -57,6 +60,8 @@ class PythonSimulation {
   PythonVisible visible(const py::object& array, const py::object& range, bool is_binary) const;
   py::dict exact_form(const std::string& from, const std::string& to) const;
   std::string text() const;
+  // The exact factors and radiosities of its elements, ready to judge methods: made once.
+  std::shared_ptr<const std::variant<MethodComparison2, MethodComparison3>> comparison();
 
  private:
   struct Solved {
@@ -77,6 +82,7 @@ class PythonSimulation {
   PythonScene scene_;
   SimulationOptions options_;
   std::shared_ptr<const AnySimulation> simulation_;
+  std::shared_ptr<const std::variant<MethodComparison2, MethodComparison3>> comparison_;
   py::dict script_f_;  // by channel
   py::object factors_{py::none()}, radiosity_{py::none()}, temperatures_{py::none()};
   py::object faces_{py::none()}, groups_{py::none()}, lights_{py::none()};

@@ -91,7 +91,8 @@ def test_the_stubs_have_the_names_of_the_module():
 @pytest.mark.parametrize("name", ["Simulation.__init__", "Scene.__init__", "Scene.moved", "Simulation.light",
                                   "Simulation.visible", "Factors.to_scipy", "Simulation.grid",
                                   "Simulation.light_on", "Simulation.picture", "Scene.picture", "Scene.fixed",
-                                  "Simulation.frames", "Simulation.script_f"])
+                                  "Simulation.frames", "Simulation.compare",
+                                  "Simulation.compare_grid", "Simulation.compare_radiosities", "Simulation.script_f"])
 def test_the_stubs_have_the_arguments_of_the_module(name):
     type_, member = name.split(".")
     stub = next(node for node in stub_names()[1][type_] if isinstance(node, ast.FunctionDef) and node.name == member)
