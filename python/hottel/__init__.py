@@ -35,6 +35,7 @@ from hottel._core import (
     generate,
     read_scene,
 )
+from hottel.builder import SceneBuilder
 
 __all__ = [
     "Error",
@@ -58,6 +59,7 @@ __all__ = [
     "RepairStep",
     "RequestError",
     "Scene",
+    "SceneBuilder",
     "Simulation",
     "Temperatures",
     "UsageError",
