@@ -63,7 +63,8 @@ void add_pair_class(py::module_& module) {
       .def_property_readonly(
           "value", [](const ExplainedPair& pair) { return pair.error.value; }, "What the method says, a float.")
       .def_property_readonly(
-          "exact", [](const ExplainedPair& pair) { return pair.error.exact; }, "What it is by the exact method, a float.")
+          "exact", [](const ExplainedPair& pair) { return pair.error.exact; },
+          "What it is by the exact method, a float.")
       .def_property_readonly(
           "visibility", [](const ExplainedPair& pair) { return pair.explanation.visibility; },
           "How much of it is not hidden, a float from 0 to 1; None where they do not face each other.")

@@ -20,6 +20,7 @@
 #include "python/bindings/simulation_options.h"
 #include "python/bindings/simulation_picture.h"
 #include "python/bindings/visible.h"
+#include "python/bindings/visible_map.h"
 #include "solver/plane/simulation/questions.h"
 #include "solver/radiosity/gray_exchange.h"
 #include "solver/store.h"
@@ -187,17 +188,21 @@ py::array PythonSimulation::light(const py::object& array, bool is_binary) const
   return light_at([&](const StageProgress& progress) { return light_at_points(in_space(), points, progress); });
 }
 
-PythonVisible PythonSimulation::visible(const py::object& array, const py::object& range, bool is_binary) const {
-  if (!scene_.is_plane())
-    throw UsageError("visibility polygons are of scenes in the plane; this version does not have them in space");
-  const PythonPoints points(array, 2, is_binary);
+py::object PythonSimulation::visible(const py::object& array, const py::object& range, bool is_binary) const {
+  const PythonPoints points(array, scene_.is_plane() ? 2 : 3, is_binary);
+  if (!scene_.is_plane()) {
+    if (!range.is_none()) throw UsageError("range is of scenes in the plane; this version does not have it in space");
+    return py::cast(PythonVisibleMap(without_lock(options_.waiting, [&](const StageProgress& progress) {
+      return map_lists(*in_space().prepared(progress), points, progress);
+    })));
+  }
   PolygonsOptions2 wanted;
   if (!range.is_none()) wanted.range = rational_of(range, is_binary, "range");
   if (wanted.range && *wanted.range <= 0) throw UsageError("range is a distance above 0");
-  return PythonVisible(without_lock(options_.waiting, [&](const StageProgress& progress) {
+  return py::cast(PythonVisible(without_lock(options_.waiting, [&](const StageProgress& progress) {
     const auto prepared = in_the_plane().prepared(progress);
     return visible_lists(*prepared, polygons_of(*prepared, points, wanted, progress));
-  }));
+  })));
 }
 
 py::dict PythonSimulation::exact_form(const std::string& from, const std::string& to) const {
@@ -313,12 +318,14 @@ void add_questions(py::class_<PythonSimulation>& type) {
           "space; NaN in solids. Read only.\n\n"
           "points: array-like of shape (n, 2) or (n, 3), in units of the scene; a float is its shortest decimal, with\n"
           "binary=True the double that it is. Throws TypeError, InputError for points that are none.")
-      .def(
-          "visible", &PythonSimulation::visible, py::arg("points"), py::arg("range") = py::none(), py::kw_only(),
-          py::arg("binary") = false,
-          "Returns what n points of the plane see, Visible: exact visibility polygons, their corners rounded.\n\n"
-          "points and binary: as of light(). range: a number; nothing beyond that distance is seen. Throws TypeError,\n"
-          "InputError for points that are none, UsageError for scenes in space.");
+      .def("visible", &PythonSimulation::visible, py::arg("points"), py::arg("range") = py::none(), py::kw_only(),
+           py::arg("binary") = false,
+           "Returns what n points see: in the plane exact visibility polygons, Visible, their corners rounded; in "
+           "space exact\n"
+           "maps of directions, VisibleMap.\n\n"
+           "points and binary: as of light(). range: in the plane, a number; nothing beyond that distance is seen. "
+           "Throws\n"
+           "TypeError, InputError for points that are none, UsageError for a range in space.");
 }
 
 }  // namespace

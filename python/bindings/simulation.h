@@ -57,7 +57,7 @@ class PythonSimulation {
   py::object group_flux() { return flux(&NetFluxes::groups, groups_); }
   py::object light_flux() { return flux(&NetFluxes::lights, lights_); }
   py::array light(const py::object& array, bool is_binary) const;
-  PythonVisible visible(const py::object& array, const py::object& range, bool is_binary) const;
+  py::object visible(const py::object& array, const py::object& range, bool is_binary) const;
   py::dict exact_form(const std::string& from, const std::string& to) const;
   std::string text() const;
   // The exact factors and radiosities of its elements, ready to judge methods: made once.

@@ -1,5 +1,6 @@
 """The module gives the numbers of the program, bit for bit, and refuses what it refuses, in the same words."""
 
+import json
 import math
 import re
 
@@ -227,3 +228,27 @@ def test_light_on_areas_is_that_of_the_program(scene, tmp_path):
             assert same(float(line[column] or "nan"), light.irradiance[k, c])
         for column in ("sky_view_factor", "mean_radiant_temperature"):
             assert same(float(line[column] or "nan"), getattr(light, column)[k])
+
+
+@pytest.mark.parametrize("scene, points", [
+    ("scenes/space/cube.json", ["1/2,1/4,3/4", "0,0.5,0.5", "2,2,2"]),
+    ("scenes/space/two_boxes.json", ["1,1,1", "2,3,4", "0.5,0.25,1.5"]),
+])
+def test_maps_of_points_in_space_are_those_of_the_program(scene, points):
+    numbers = [[float(eval(each)) for each in point.split(",")] for point in points]
+    seen = hottel.Simulation(hottel.read_scene(scene)).visible(numbers)
+    assert len(seen) == len(points)
+    for k, point in enumerate(points):
+        code, text, message = run_program("visibility", scene, "--at", point, "--json")
+        assert code == 0, message
+        wanted = json.loads(text)
+        if "solid" in wanted:
+            assert math.isnan(seen[k]["sky"]) and len(seen[k]) == 1
+            continue
+        fractions = {face["name"]: face["fraction"] for face in wanted["faces"]}
+        assert seen[k] == {**fractions, "sky": wanted["sky"]["fraction"]}
+        pieces = [(face["name"], piece) for face in wanted["faces"] for piece in face["pieces"]]
+        assert len(pieces) == len(seen.pieces(k))
+        for (name, piece), (own_name, directions, corners) in zip(pieces, seen.pieces(k)):
+            assert own_name == name
+            assert directions.tolist() == piece["directions"] and corners.tolist() == piece["points"]

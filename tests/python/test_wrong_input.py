@@ -188,10 +188,19 @@ def test_names_that_there_are_not(simulation):
             seen[place]
 
 
-def test_space_has_no_visibility_polygons():
+def test_what_space_has_not():
     simulation = hottel.Simulation(hottel.read_scene(SCENES / "space/cube.json"))
     with pytest.raises(hottel.UsageError, match="in the plane"):
-        simulation.visible([[0, 0, 0]])
+        simulation.visible([[0.5, 0.5, 0.5]], range=1)
+    for points in ([[0, 0]], [[math.nan, 0, 0]], 3.0):
+        with pytest.raises((hottel.InputError, TypeError)):
+            simulation.visible(points)
+    seen = simulation.visible([[0.5, 0.5, 0.5]])
+    for place in (1, -2, 10**9):
+        with pytest.raises(IndexError):
+            seen[place]
+        with pytest.raises(IndexError):
+            seen.pieces(place)
     with pytest.raises(hottel.UsageError, match="in the plane"):
         simulation.exact_form("floor", "ceiling")
     with pytest.raises(hottel.UsageError, match="dimension"):
