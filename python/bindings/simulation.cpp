@@ -10,6 +10,7 @@
 #include "python/bindings/bindings.h"
 #include "python/bindings/factors.h"
 #include "python/bindings/frames.h"
+#include "python/bindings/graph.h"
 #include "python/bindings/grid.h"
 #include "python/bindings/judgement.h"
 #include "python/bindings/numbers.h"
@@ -345,6 +346,7 @@ void add_simulation(py::module_& module) {
   add_compare_questions(type);
   add_frames_questions(type);
   add_grid_questions(type);
+  add_graph_questions(type);
   add_oriented_light_questions(type);
   add_picture_questions(type);
   type.def("__repr__", &PythonSimulation::text);

@@ -30,6 +30,7 @@ from hottel._core import (
     Temperatures,
     UsageError,
     Verdict,
+    VisibilityGraph,
     Visible,
     VisibleMap,
     __version__,
@@ -37,6 +38,7 @@ from hottel._core import (
     read_scene,
 )
 from hottel.builder import SceneBuilder
+from hottel.progress import ProgressBar
 
 __all__ = [
     "Error",
@@ -54,6 +56,7 @@ __all__ = [
     "OrientedLight",
     "Picture",
     "PlannedEffect",
+    "ProgressBar",
     "Radiosity",
     "RadiosityJudgement",
     "Repair",
@@ -65,6 +68,7 @@ __all__ = [
     "Temperatures",
     "UsageError",
     "Verdict",
+    "VisibilityGraph",
     "Visible",
     "VisibleMap",
     "__version__",

@@ -36,7 +36,7 @@ def test_a_wheel_has_the_package_and_is_the_same_each_time(tmp_path):
     assert first.read_bytes() == second.read_bytes()
     names = set(zipfile.ZipFile(first).namelist())
     assert {"hottel/__init__.py", "hottel/builder.py", "hottel/_core.pyi", "hottel/py.typed"} < names
-    assert len(names) == 8 and not any("cache" in name for name in names)
+    assert len(names) == 9 and not any("cache" in name for name in names)
 
 
 def test_the_package_says_what_the_program_says_of_its_version():

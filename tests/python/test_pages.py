@@ -52,7 +52,7 @@ def test_examples_run_and_are_short(example):
 
 def test_every_public_name_is_told():
     there = {name for name in dir(_core) if not name.startswith("_")}
-    assert set(hottel.__all__) == there | {"__version__", "SceneBuilder"}
+    assert set(hottel.__all__) == there | {"__version__", "ProgressBar", "SceneBuilder"}
     for name in hottel.__all__:
         assert name == "__version__" or inspect.getdoc(getattr(hottel, name))
 

@@ -252,3 +252,18 @@ def test_maps_of_points_in_space_are_those_of_the_program(scene, points):
         for (name, piece), (own_name, directions, corners) in zip(pieces, seen.pieces(k)):
             assert own_name == name
             assert directions.tolist() == piece["directions"] and corners.tolist() == piece["points"]
+
+
+@pytest.mark.parametrize("scene", ["scenes/analytic/strip_obstructed.json", "scenes/showcase/apartment.json",
+                                   "scenes/degenerate/kettner_a1.json"])
+def test_the_visibility_graph_is_that_of_the_program(scene):
+    code, listed, message = run_program("visibility", scene, "--graph")
+    assert code == 0, message
+    graph = hottel.Simulation(hottel.read_scene(scene)).visibility_graph()
+    lines = table_of(listed)
+    assert len(lines) == len(graph.pairs) == len(graph.lengths) > 0
+    for line, (v, w), length, along in zip(lines, graph.pairs, graph.lengths, graph.along):
+        assert [int(line["vertex0"]), int(line["vertex1"])] == [v, w] and float(line["length"]) == length
+        assert [float(line[each]) for each in ("x0", "y0", "x1", "y1")] == [*graph.vertices[v], *graph.vertices[w]]
+        assert line["along"] == (graph.names[along] if along >= 0 else "")
+        assert (line["surface0"], line["surface1"]) == (graph.surfaces[v], graph.surfaces[w])

@@ -192,6 +192,8 @@ def test_what_space_has_not():
     simulation = hottel.Simulation(hottel.read_scene(SCENES / "space/cube.json"))
     with pytest.raises(hottel.UsageError, match="in the plane"):
         simulation.visible([[0.5, 0.5, 0.5]], range=1)
+    with pytest.raises(hottel.UsageError, match="in the plane"):
+        simulation.visibility_graph()
     for points in ([[0, 0]], [[math.nan, 0, 0]], 3.0):
         with pytest.raises((hottel.InputError, TypeError)):
             simulation.visible(points)
