@@ -15,6 +15,7 @@ void add_check(py::module_& module);
 void add_scene(py::module_& module);
 void add_generate(py::module_& module);
 void add_factors(py::module_& module);
+void add_root_sum(py::module_& module);
 void add_radiosity(py::module_& module);
 void add_visible(py::module_& module);
 void add_visible_map(py::module_& module);

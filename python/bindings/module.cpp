@@ -11,6 +11,7 @@ PYBIND11_MODULE(_core, module) {
   hottel::python::add_check(module);
   hottel::python::add_generate(module);
   hottel::python::add_factors(module);
+  hottel::python::add_root_sum(module);
   hottel::python::add_radiosity(module);
   hottel::python::add_visible(module);
   hottel::python::add_visible_map(module);

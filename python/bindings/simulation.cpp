@@ -18,6 +18,7 @@
 #include "python/bindings/plan.h"
 #include "python/bindings/point_light.h"
 #include "python/bindings/radiosity.h"
+#include "python/bindings/root_sum.h"
 #include "python/bindings/simulation_options.h"
 #include "python/bindings/simulation_picture.h"
 #include "python/bindings/visible.h"
@@ -345,6 +346,7 @@ void add_simulation(py::module_& module) {
   add_plan_questions(type);
   add_compare_questions(type);
   add_frames_questions(type);
+  add_root_sum_questions(type);
   add_grid_questions(type);
   add_graph_questions(type);
   add_oriented_light_questions(type);
