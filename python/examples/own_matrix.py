@@ -16,5 +16,6 @@ worst = judgement.worst[0]
 print(f"worst: {worst.from_name} -> {worst.to_name}, {worst.reason}: {worst.value:.6f}, exact {worst.exact:.6f}")
 
 own *= 2  # a mistake that is often made: half angles for whole ones
-for sentence in simulation.compare(own).verdict.sentences:
-    print(sentence)
+verdict = simulation.compare(own).verdict
+assert verdict is not None  # there is one of every matrix
+print(*verdict.sentences, sep="\n")

@@ -6,15 +6,18 @@ import json
 import os
 import tempfile
 import warnings
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy
+import numpy.typing
 
 from hottel._core import InputError, Scene, UsageError, read_scene
 
 if TYPE_CHECKING:
     from hottel._core import Number
+
+Array = numpy.typing.NDArray[Any]
 
 __all__ = ["SceneBuilder"]
 
@@ -25,21 +28,21 @@ def _refusal(reason: str, surface: str) -> InputError:
     return error
 
 
-def _numbers(array: numpy.ndarray, binary: bool) -> list[Any]:
+def _numbers(array: Array, binary: bool) -> list[Any]:
     """Coordinates as a scene holds them: each float the shortest decimal of its own precision."""
     if array.dtype.kind == "f" and array.dtype.itemsize < 8 and not binary:
-        return array.astype(str).tolist()
-    return array.tolist()
+        return list(array.astype(str).tolist())
+    return list(array.tolist())
 
 
-def _array(values: Any, name: str) -> numpy.ndarray:
+def _array(values: Any, name: str) -> Array:
     try:
         return numpy.asarray(values)
     except ValueError:
         raise _refusal(f"mesh '{name}' has vertices that are not of one length", name) from None
 
 
-def _vertices(values: Any, name: str) -> numpy.ndarray:
+def _vertices(values: Any, name: str) -> Array:
     array = _array(values, name)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"mesh '{name}': vertices are an array of real numbers, not of dtype {array.dtype}")
@@ -48,7 +51,7 @@ def _vertices(values: Any, name: str) -> numpy.ndarray:
     return array
 
 
-def _counted_faces(flat: numpy.ndarray, name: str) -> list[list[int]]:
+def _counted_faces(flat: Array, name: str) -> list[list[int]]:
     """Faces one after the other, each with the number of its corners before it."""
     faces, place = [], 0
     while place < len(flat):
@@ -60,7 +63,7 @@ def _counted_faces(flat: numpy.ndarray, name: str) -> list[list[int]]:
     return faces
 
 
-def _parts(mesh: Any, name: str) -> tuple[Any, Iterable[Any]]:
+def _parts(mesh: Any, name: str) -> tuple[Any, Any]:
     """Vertices and faces of a pair, or of an object of trimesh, pyvista or meshio, told by their attributes."""
     if isinstance(mesh, (tuple, list)) and len(mesh) == 2:
         return mesh[0], mesh[1]
@@ -86,7 +89,7 @@ def _corners(face: Any, count: int, what: str, name: str) -> list[int]:
         raise _refusal(f"{what} of mesh '{name}' has {len(indices)} corners, where a face has three or more", name)
     if indices.min() < 0 or indices.max() >= count:
         raise _refusal(f"{what} of mesh '{name}' has a corner that is none of its {count} vertices", name)
-    return indices.tolist()
+    return list(indices.tolist())
 
 
 class SceneBuilder:
@@ -190,7 +193,7 @@ class SceneBuilder:
                 json.dump(geometry, file)
             table = read_scene(path, front=front).to_dict()
         edges = [{"points": edge["points"]} for edge in table.get("edges", [])]
-        return edges + table.get("polylines", [])
+        return edges + list(table.get("polylines", []))
 
     def add_light(self, name: str, **keys: Any) -> SceneBuilder:
         """Adds a light with the keys of a scene file: type, position, power, direction, ..."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import sys
 from typing import Any, TextIO
 
@@ -46,7 +47,7 @@ class ProgressBar:
 
     def _new_bar(self, stage: str) -> Any:
         try:
-            from tqdm.auto import tqdm
+            tqdm = importlib.import_module("tqdm.auto").tqdm
         except ImportError:
             return None
         return tqdm(total=100, desc=stage, unit="%", file=self._file)

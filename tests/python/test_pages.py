@@ -111,3 +111,11 @@ def test_the_version_is_that_of_the_program():
 def test_the_module_takes_memory_as_python_does():
     linked = subprocess.run(["ldd", _core.__file__], capture_output=True, text=True, check=True).stdout
     assert "jemalloc" not in linked and "libtbb" in linked
+
+
+def test_types_hold_together():
+    sources = [ROOT / "python/hottel", *EXAMPLES]
+    done = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports", "--cache-dir=/dev/null",
+                           *sources], capture_output=True, text=True, cwd=ROOT / "python",
+                          env={**os.environ, "MYPYPATH": str(ROOT / "python")})
+    assert done.returncode == 0, done.stdout + done.stderr
