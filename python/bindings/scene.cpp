@@ -241,21 +241,26 @@ void add_properties(py::class_<PythonScene>& type) {
           "Whether the scene promises that no front with a material sees the sky.");
 }
 
+// Plans are shown as shapes, views in space as pixels; what cannot be drawn is shown as text.
+py::object shown_in_notebook(const PythonScene& scene, bool as_shapes) {
+  if (scene.is_plane() != as_shapes) return py::none();
+  try {
+    const PythonPicture picture = scene_picture(scene, as_shapes ? 800 : 0, false);
+    if (!as_shapes) return picture.file("png");
+    return picture.file("svg").attr("decode")("utf-8");
+  } catch (const RequestError&) {
+    return py::none();
+  }
+}
+
 void add_pictures(py::class_<PythonScene>& type) {
   type.def("picture", &scene_picture, py::kw_only(), py::arg("size") = 0, py::arg("axes") = false,
            "Returns a picture of the scene by itself, Picture: in the plane its plan, in space what its camera sees,\n"
            "each face in about the light that it may have.\n\n"
            "size: pixels across, 0 for the usual. axes: coordinates along the frame, in the plane. UsageError for a\n"
            "size that is none, RequestError where it cannot be drawn.")
-      .def("_repr_png_",
-           [](const PythonScene& scene) -> py::object {
-             if (scene.is_plane()) return py::none();
-             return scene_picture(scene, 0, false).file("png");
-           })
-      .def("_repr_svg_", [](const PythonScene& scene) -> py::object {
-        if (!scene.is_plane()) return py::none();
-        return py::object(scene_picture(scene, 800, false).file("svg").attr("decode")("utf-8"));
-      });
+      .def("_repr_png_", [](const PythonScene& scene) { return shown_in_notebook(scene, false); })
+      .def("_repr_svg_", [](const PythonScene& scene) { return shown_in_notebook(scene, true); });
 }
 
 void add_methods(py::class_<PythonScene>& type) {

@@ -65,3 +65,11 @@ def test_the_light_of_a_grid_is_drawn_with_square_pixels():
     assert picture.pixels.shape == (20, 40, 3)
     with pytest.raises(hottel.UsageError, match="pixels"):
         picture.file("svg")
+
+
+def test_a_scene_that_cannot_be_drawn_is_shown_as_text(square):
+    square["edges"].append({"name": "far", "material": "grey", "points": [["1e400", 0], ["2e400", 0]]})
+    scene = hottel.Scene(square)
+    with pytest.raises(hottel.RequestError):
+        scene.picture()
+    assert scene._repr_svg_() is None and "far" in repr(scene)

@@ -184,6 +184,24 @@ def test_what_grids_show_is_that_of_the_program(show, tmp_path):
     assert simulation.picture(show, cells=(12, 9)).file() == (tmp_path / "illumination.png").read_bytes()
 
 
+@pytest.mark.parametrize("scene, show, options", [
+    ("scenes/showcase/apartment.json", "irradiance", {"channel": "g"}),
+    ("scenes/showcase/apartment.json", "net", {"channel": "r", "bar": "-1:2"}),
+    ("scenes/showcase/apartment.json", "radiosity", {"bar": "1e-3::log", "axes": True}),
+    ("scenes/heat/street_by_day.json", "irradiance", {"channel": "solar"}),
+    ("scenes/heat/street_by_day.json", "temperature", {"shading": "smooth"}),
+    ("scenes/analytic/square_radiosity.json", "factor:top", {}),
+    ("scenes/space/two_boxes.json", "radiosity", {"channel": "b", "shading": "smooth"}),
+])
+def test_pictures_of_quantities_are_those_of_the_program(scene, show, options, tmp_path):
+    scene = hottel.read_scene(scene)
+    words = [f"--{name}" if value is True else f"--{name}={value}" for name, value in options.items()]
+    solved(scene, tmp_path, "--show", show, "--size", 320, *words)
+    picture = hottel.Simulation(scene).picture(show, size=320, **options)
+    name = "illumination.png" if scene.dimension == 2 else "render.png"
+    assert picture.file() == (tmp_path / name).read_bytes()
+
+
 @pytest.mark.parametrize("show", ["irradiance", "sky"])
 def test_what_grids_in_space_show_is_that_of_the_program(show, tmp_path):
     scene = hottel.read_scene("scenes/space/cube.json").replace(grid=GRID)
