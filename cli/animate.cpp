@@ -118,22 +118,6 @@ struct Space {
   static std::shared_ptr<FactorStore> usual_store(std::uint64_t bytes) { return make_memory_store(bytes); }
 };
 
-// Throws RequestError naming the first frame that has a light on a surface, before any is computed.
-template <class AnyScene>
-void require_lights_beside_surfaces(const AnyScene& scene, std::uint32_t frames, const Rational& per_second) {
-  for (std::uint32_t k = 0; k < frames; ++k) {
-    const Rational time = Rational(k) / per_second;
-    try {
-      validate(scene_after(scene, time));
-    } catch (const InputError& error) {
-      const std::string place = FileLine{scene.file, error.where().line}.text();
-      const std::string what = error.what();
-      throw RequestError(fmt::format("{}: frame {}, at {} s: {}", place, k, shortest(to_double(time)),
-                                     what.starts_with(place + ": ") ? what.substr(place.size() + 2) : what));
-    }
-  }
-}
-
 // What frames are of: where it is the same, those that are there are not made again.
 std::string key_of(const AnimateOptions& options, const std::string& scene, double tolerance) {
   return sha256(fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", kVersion, rate_of(options).get_str(),

@@ -13,19 +13,14 @@
 #include "io/scene/space/mesh_reader.h"
 #include "kernel/support/naming_file.h"
 #include "solver/space/check/scene_repair.h"
+#include "solver/space/simulation/questions.h"
 #include "solver/space/simulation/simulation.h"
 
 namespace hottel {
 namespace {
 
 SceneCheck3 look_at(const Scene3& scene, const Streams& streams) {
-  const Simulation3 simulation(scene);
-  return check_scene(scene, {.prepared = [&] { return simulation.prepared(streams.stages()); },
-                             .factors = [&]() -> std::shared_ptr<const ExchangeMatrix> {
-                               const auto computed = simulation.factors(streams.stages());
-                               return {computed, &computed->matrix};
-                             },
-                             .lights = [&] { return *simulation.light_shares(streams.stages()); }});
+  return scene_check(Simulation3(scene), streams.stages());
 }
 
 ExitCode exit_code(const SceneCheck3& check) { return has_error(check.findings) ? ExitCode::kUnmet : ExitCode::kDone; }

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 
-#include "geometry/plane/prepared/element_table.h"
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "io/foreign/foreign_grid.h"
 #include "io/results/grid_report.h"
@@ -68,10 +67,7 @@ JudgedGrid judge_grid(const std::string& file, const MethodComparison2& comparis
             {file + ".json", 0}, "says that the grid lies elsewhere than that of the scene",
             {"the scene may say where: \"grid\": {\"min\": [x, y], \"max\": [x, y], \"cells\": [nx, ny]}"});
     }
-  const ElementTable2& table = *prepared.elements(Granularity::kElement);
-  const IlluminationGrid2 exact =
-      with_lights(prepared, illuminate_points(prepared, grid, table, sent_out_2(table, solution, prepared.scene)));
-  return judged(foreign, exact.values, solution,
+  return judged(foreign, exact_light_on(comparison, grid).values, solution,
                 {{min[0], min[1], 0}, {max[0] - min[0], 0, 0}, {0, max[1] - min[1], 0}, grid.nx, grid.ny, false},
                 beyond);
 }
@@ -86,8 +82,7 @@ JudgedGrid judge_grid(const std::string& file, const MethodComparison3& comparis
     throw InputError({file, 0}, "is light on a grid, and the scene does not say where one lies",
                      {"\"grid\": {\"origin\": [x, y, z], \"u\": [x, y, z], \"v\": [x, y, z], \"cells\": [nu, nv]}"});
   require_cells(foreign, grid->nu, grid->nv);
-  const IlluminationGrid3 exact = illuminate_points(prepared, Granularity::kElement, solution, *grid);
-  return judged(foreign, exact.values, solution,
+  return judged(foreign, exact_light_on(comparison, *grid).values, solution,
                 {to_doubles(grid->origin), to_doubles(grid->u), to_doubles(grid->v), grid->nu, grid->nv, true}, beyond);
 }
 

@@ -1,9 +1,5 @@
 #include "cli/script_f.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
 #include <utility>
 
 #include "kernel/support/failure.h"
@@ -15,23 +11,10 @@
 namespace hottel {
 namespace {
 
-constexpr std::array<const char*, 3> kChannels{"r", "g", "b"};
-
-// The channel asked for; without one all materials of faces must be gray.
 int channel_of(const FactorsOptions& options, const ExchangeMatrix& matrix, const std::vector<Material>& materials) {
-  if (!materials.empty() && materials.front().has_bands) {
-    if (!options.channel.empty())
-      throw UsageError(options.scene + " has two bands, not r, g and b: script-F is of the thermal one");
-    return static_cast<int>(kThermalBand);
-  }
-  if (!options.channel.empty())
-    return static_cast<int>(std::find(kChannels.begin(), kChannels.end(), options.channel) - kChannels.begin());
-  if (const auto row = first_coloured(matrix, materials)) {
-    const Element& element = matrix.elements()[*row];
-    throw RequestError(fmt::format("{}: '{}', the material of '{}', is not gray: choose --channel r, g or b",
-                                   options.scene, materials[*element.material].name, element.name));
-  }
-  return 0;
+  if (!materials.empty() && materials.front().has_bands && !options.channel.empty())
+    throw UsageError(options.scene + " has two bands, not r, g and b: script-F is of the thermal one");
+  return naming_file(options.scene, [&] { return gray_channel(matrix, materials, options.channel); });
 }
 
 }  // namespace

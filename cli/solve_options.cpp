@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <system_error>
 #include <vector>
 
@@ -49,42 +47,10 @@ Tone tone_asked(const std::string& name) {
   return *tone;
 }
 
-namespace {
-
-// LOW:HIGH, LOW:HIGH:log or log; either end may be left out.
-AskedScale scale_asked(const std::string& text) {
-  AskedScale scale;
-  std::string ends = text;
-  if (ends == "log" || ends.ends_with(":log")) {
-    scale.is_logarithmic = true;
-    ends.resize(ends.size() - std::min<std::size_t>(ends.size(), 4));
-    if (ends.empty()) return scale;
-  }
-  const auto colon = ends.find(':');
-  const auto end = [&](const std::string& word) -> std::optional<double> {
-    if (word.empty()) return std::nullopt;
-    double value = 0;
-    const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || rest != word.data() + word.size() || !std::isfinite(value))
-      throw UsageError("--bar takes LOW:HIGH, LOW:HIGH:log or log, not '" + text + "'");
-    return value;
-  };
-  if (colon == std::string::npos) end(ends + ":");  // no number
-  scale.lower = end(ends.substr(0, colon));
-  scale.upper = end(ends.substr(colon + 1));
-  return scale;
-}
-
-}  // namespace
-
 Shown shown_of(const SolveOptions& options) {
   Shown shown = shown_by(options.show);
-  if (!options.bar.empty()) shown.scale = scale_asked(options.bar);
-  shown.is_of_band = options.channel == "solar" || options.channel == "thermal";
-  if (shown.is_of_band)
-    shown.channel = options.channel == "solar" ? kSolarBand : kThermalBand;
-  else if (!options.channel.empty())
-    shown.channel = std::string("rgb").find(options.channel);
+  if (!options.bar.empty()) shown.scale = scale_by(options.bar);
+  if (!options.channel.empty()) choose_channel(shown, options.channel);
   const SolveOptions usual;
   if (!shown.is_light() && (options.tone != usual.tone || options.exposure != usual.exposure))
     throw UsageError("--tone and --exposure are of --show light: " + options.show + " has a scale");

@@ -130,11 +130,9 @@ ShownAnswer visibility_in_space(const Scene3& scene, const std::string& at, cons
   const std::optional<std::uint32_t> solid = on.empty() ? solids.around(look.eye) : std::nullopt;
   PointMap3 map;
   if (!solid) {
-    const std::vector<std::uint32_t> on_border =
-        on.empty() ? solids_at(solids, look.eye) : std::vector<std::uint32_t>();
-    map = map_from(Blockers3(arrangement.polygons()), look);
-    map = on_border.empty() ? with_owners(std::move(map), arrangement)
-                            : outside_solids(std::move(map), arrangement, look.eye, on_border);
+    const Blockers3 blockers(arrangement.polygons());
+    map = on.empty() ? faces_seen_from(look.eye, blockers, arrangement)
+                     : with_owners(map_from(blockers, look), arrangement);
   }
   VisibilityAnswer answer =
       solid ? answer_in_solid_3(look, solids.meshes()[*solid].name, what) : map_answer(scene, solids, look, map, what);

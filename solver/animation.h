@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <list>
 #include <memory>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "geometry/element_tree.h"
 #include "geometry/exchange_matrix.h"
 #include "kernel/rational.h"
+#include "kernel/support/failure.h"
 #include "kernel/support/stage.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/kept_report.h"
@@ -38,6 +40,21 @@ inline std::vector<ElementId> active_elements(const ExchangeMatrix& matrix) {
   }
   std::ranges::sort(active);
   return active;
+}
+
+// Throws RequestError naming the first frame that has a light on a surface, before any is computed.
+template <class Scene>
+void require_lights_beside_surfaces(const Scene& scene, std::uint32_t frames, const Rational& per_second) {
+  for (std::uint32_t k = 0; k < frames; ++k) {
+    const Rational time = Rational(k) / per_second;
+    try {
+      validate(scene_after(scene, time));
+    } catch (const InputError& error) {
+      const std::string place = FileLine{scene.file, error.where().line}.text(), what = error.what();
+      throw RequestError(place + ": frame " + std::to_string(k) + ", at " + shortest(to_double(time)) +
+                         " s: " + (what.starts_with(place + ": ") ? what.substr(place.size() + 2) : what));
+    }
+  }
 }
 
 // Frames of a scene, in any order.

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "geometry/name.h"
 #include "io/foreign/foreign_command.h"
@@ -47,6 +48,21 @@ class FromFile final : public ForeignMethod<ElementMethod, Prepared> {
     return match_foreign_matrix(read_foreign_matrix(this->source()),
                                 prepared.elements(Granularity::kElement)->elements(), report);
   }
+};
+
+// A matrix that is there, called as its file is.
+template <class ElementMethod, class Prepared>
+class FromMatrix final : public ForeignMethod<ElementMethod, Prepared> {
+ public:
+  explicit FromMatrix(ForeignMatrix matrix)
+      : ForeignMethod<ElementMethod, Prepared>("file", matrix.file), matrix_(std::move(matrix)) {}
+  ExchangeMatrix compute_elements(const Prepared& prepared, const std::function<void(double)>&,
+                                  MethodReport& report) const override {
+    return match_foreign_matrix(matrix_, prepared.elements(Granularity::kElement)->elements(), report);
+  }
+
+ private:
+  ForeignMatrix matrix_;
 };
 
 template <class ElementMethod, class Prepared>

@@ -2,6 +2,15 @@
 
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
+#include "kernel/support/thread_share.h"
+
+namespace hottel {
+namespace {
+
+thread_local int share = 0;  // of the threads, for loops of this one; 0: all that are allowed
+
+}  // namespace
+}  // namespace hottel
 
 // ThreadSanitizer does not see how TBB's library hands over work, since that is not instrumented; it does see
 // std::thread. So its build takes the second of two ways, which starts its threads anew in every call.
@@ -30,20 +39,29 @@ void run_ranges(std::size_t n, std::size_t grain, const void* function, RangeFun
   // Captures the environment of this thread, which the tasks then run in.
   tbb::task_group_context context(tbb::task_group_context::isolated,
                                   tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, n, grain),
-      [function, call, stop = stop_flag](const auto& range) {
-        const StopScope scope(stop);
-        call(function, range.begin(), range.end());
-      },
-      context);
+  const auto loop = [&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, n, grain),
+        [function, call, stop = stop_flag](const auto& range) {
+          const StopScope scope(stop);
+          call(function, range.begin(), range.end());
+        },
+        context);
+  };
+  if (share == 0) return loop();
+  // An arena for this loop alone, in which the caller has a place of its own: it waits for nobody. Loops within run
+  // there too.
+  tbb::task_arena arena(share, 1);
+  const ThreadShare within(0);
+  arena.execute(loop);
 }
 
 }  // namespace detail
 
 int threads_allowed() {
   const auto limit = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  return std::min(static_cast<int>(limit), tbb::this_task_arena::max_concurrency());
+  const int all = std::min(static_cast<int>(limit), tbb::this_task_arena::max_concurrency());
+  return share == 0 ? all : std::min(share, all);
 }
 
 }  // namespace hottel
@@ -95,7 +113,7 @@ void run_ranges(std::size_t n, std::size_t grain, const void* function, RangeFun
     is_inside = was_inside;
   };
   std::vector<std::thread> others;
-  const int threads = is_inside || n <= grain ? 1 : allowed.load();
+  const int threads = is_inside || n <= grain ? 1 : threads_allowed();
   for (int k = 1; k < threads; ++k) others.emplace_back(work);
   work();
   for (std::thread& other : others) other.join();
@@ -104,7 +122,7 @@ void run_ranges(std::size_t n, std::size_t grain, const void* function, RangeFun
 
 }  // namespace detail
 
-int threads_allowed() { return allowed; }
+int threads_allowed() { return share == 0 ? allowed.load() : std::min(share, allowed.load()); }
 
 }  // namespace hottel
 
@@ -117,5 +135,13 @@ ThreadLimit::ThreadLimit(int threads) {
   limit_ = std::make_unique<Limit>(threads);
 }
 ThreadLimit::~ThreadLimit() = default;
+
+ThreadShare::ThreadShare(int threads) : before_(share) {
+  HOTTEL_REQUIRE(threads >= 0);
+  share = threads;
+}
+ThreadShare::~ThreadShare() { share = before_; }
+
+int thread_share() { return share; }
 
 }  // namespace hottel

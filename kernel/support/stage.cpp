@@ -4,6 +4,7 @@
 
 #include "kernel/support/interrupt.h"
 #include "kernel/support/out_of_memory.h"
+#include "kernel/support/thread_share.h"
 
 namespace hottel {
 namespace {
@@ -50,7 +51,10 @@ void AnyStage::start() {
   is_stopped_ = false;
   told_stage_ = name_;
   told_fraction_ = 0;
-  thread_ = std::thread([this] { run(); });
+  thread_ = std::thread([this, threads = thread_share()] {
+    const ThreadShare share(threads);
+    run();
+  });
   state_ = State::kRunning;
 }
 

@@ -50,6 +50,12 @@ PythonPoints::PythonPoints(const py::object& array, std::size_t dimension, bool 
       refuse("point " + std::to_string(k / dimension) + " has a coordinate that is no finite number");
 }
 
+bool PythonPoints::is_origin(std::size_t k) const {
+  for (std::size_t c = 0; c < dimension_; ++c)
+    if (values_[k * dimension_ + c] != 0) return false;
+  return true;
+}
+
 Rational PythonPoints::at(std::size_t k, std::size_t c) const {
   return exact_number(values_[k * dimension_ + c], is_binary_);
 }

@@ -48,6 +48,8 @@ class PythonPoints {
   // REQUIRES that dimension, and k < size().
   Point2 in_plane(std::size_t k) const { return {at(k, 0), at(k, 1)}; }
   Point3 in_space(std::size_t k) const { return {at(k, 0), at(k, 1), at(k, 2)}; }
+  // Whether all its numbers are 0. REQUIRES k < size().
+  bool is_origin(std::size_t k) const;
 
  private:
   Rational at(std::size_t k, std::size_t c) const;

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "geometry/near_names.h"
+#include "io/files/output_file.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
 #include "python/bindings/bindings.h"
@@ -76,6 +77,8 @@ void translate(std::exception_ptr failure) {
     set_error(usage_error, error.what());
   } catch (const RequestError& error) {
     set_error(request_error, error.what());
+  } catch (const OutputError& error) {
+    PyErr_SetString(PyExc_OSError, error.what());
   } catch (const Interrupted& error) {
     PyErr_SetNone(PyExc_KeyboardInterrupt);
   }

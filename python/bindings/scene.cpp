@@ -13,8 +13,10 @@
 #include "kernel/support/failure.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
+#include "python/bindings/check.h"
 #include "python/bindings/errors.h"
 #include "python/bindings/numbers.h"
+#include "python/bindings/picture.h"
 #include "python/bindings/scene_text.h"
 
 namespace hottel::python {
@@ -65,6 +67,12 @@ PythonScene from_dict(const py::dict& table, const std::filesystem::path& folder
   if (folder.empty()) return parsed(text);
   return PythonScene(parse_scene(text, (folder / kNoFile).string()));
 }
+
+}  // namespace
+
+PythonScene scene_of(const py::dict& table) { return from_dict(table, "", false); }
+
+namespace {
 
 // A scene, and what is to be said of how it was read: what was passed over, which polygons were cut.
 struct NotedScene {
@@ -180,7 +188,7 @@ PythonScene replaced(const PythonScene& scene, const py::kwargs& keys) {
     else if (!value.is_none())
       table[key] = value;
   }
-  return from_dict(table, "", false);
+  return scene_of(table);
 }
 
 constexpr std::size_t kShownSurfaces = 8;
@@ -233,6 +241,28 @@ void add_properties(py::class_<PythonScene>& type) {
           "Whether the scene promises that no front with a material sees the sky.");
 }
 
+// Plans are shown as shapes, views in space as pixels; what cannot be drawn is shown as text.
+py::object shown_in_notebook(const PythonScene& scene, bool as_shapes) {
+  if (scene.is_plane() != as_shapes) return py::none();
+  try {
+    const PythonPicture picture = scene_picture(scene, as_shapes ? 800 : 0, false);
+    if (!as_shapes) return picture.file("png");
+    return picture.file("svg").attr("decode")("utf-8");
+  } catch (const RequestError&) {
+    return py::none();
+  }
+}
+
+void add_pictures(py::class_<PythonScene>& type) {
+  type.def("picture", &scene_picture, py::kw_only(), py::arg("size") = 0, py::arg("axes") = false,
+           "Returns a picture of the scene by itself, Picture: in the plane its plan, in space what its camera sees,\n"
+           "each face in about the light that it may have.\n\n"
+           "size: pixels across, 0 for the usual. axes: coordinates along the frame, in the plane. UsageError for a\n"
+           "size that is none, RequestError where it cannot be drawn.")
+      .def("_repr_png_", [](const PythonScene& scene) { return shown_in_notebook(scene, false); })
+      .def("_repr_svg_", [](const PythonScene& scene) { return shown_in_notebook(scene, true); });
+}
+
 void add_methods(py::class_<PythonScene>& type) {
   type.def("points", &points_of, py::arg("name"),
            "Returns the corners of the surface of that name, float64 of shape (2, 2) for an edge and (k, 3) for a\n"
@@ -271,6 +301,8 @@ void add_scene(py::module_& module) {
            "Makes a scene of a dict; see the class.");
   add_properties(type);
   add_methods(type);
+  add_pictures(type);
+  add_check_questions(type);
   type.def("__len__", [](const PythonScene& scene) { return scene.table().surfaces.size(); })
       .def("__repr__", &short_table)
       .def("__eq__", &are_equal, py::is_operator())

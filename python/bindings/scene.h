@@ -1,6 +1,8 @@
 // Scenes of either dimension, as Python holds them.
 #pragma once
 
+#include <pybind11/pybind11.h>
+
 #include <memory>
 #include <string>
 #include <variant>
@@ -26,5 +28,8 @@ class PythonScene {
  private:
   std::shared_ptr<const hottel::Scene> scene_;
 };
+
+// The scene of a dict, with floats as their shortest decimals. Throws as Scene() does.
+PythonScene scene_of(const pybind11::dict& table);
 
 }  // namespace hottel::python

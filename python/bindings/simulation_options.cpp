@@ -6,9 +6,13 @@
 #include "geometry/near_names.h"
 #include "geometry/plane/scene/division.h"
 #include "geometry/space/scene/division.h"
+#include "io/foreign/foreign_method.h"
 #include "io/foreign/plane/foreign_matrix.h"
 #include "io/foreign/space/foreign_matrix.h"
+#include "io/store/factor_store.h"
 #include "kernel/support/failure.h"
+#include "solver/plane/simulation/refined.h"
+#include "solver/space/simulation/refined.h"
 
 namespace hottel::python {
 namespace {
@@ -58,9 +62,7 @@ std::uint64_t memory_of(const SimulationOptions& options) {
   return static_cast<std::uint64_t>(options.memory.value_or(0));
 }
 
-using Shared = std::shared_ptr<const AnySimulation>;
-
-Shared in_plane(Scene2 scene, const SimulationOptions& options) {
+Simulation2 in_plane(Scene2 scene, const SimulationOptions& options, const std::shared_ptr<FactorStore>& store) {
   SimulationRequest2 request;
   request.method = all_methods_2().make(options.method);
   if (options.per) request.granularity = granularity_of(*options.per);
@@ -69,22 +71,26 @@ Shared in_plane(Scene2 scene, const SimulationOptions& options) {
   request.iterations = iterations_of(options);
   request.until = options.until;
   request.memory = memory_of(options);
-  return std::make_shared<const AnySimulation>(std::in_place_type<Simulation2>, std::move(scene), std::move(request));
+  request.store = store;
+  return Simulation2(std::move(scene), std::move(request));
 }
 
-Shared in_space(Scene3 scene, const SimulationOptions& options) {
+Simulation3 in_space(Scene3 scene, const SimulationOptions& options, const std::shared_ptr<FactorStore>& store) {
   SimulationRequest3 request;
+  const bool is_by_elements = is_divided(scene) || options.levels.is_any();
   if (options.method != "exact") request.factors.method = all_methods_3().make(options.method);
-  request.factors.granularity = options.per         ? granularity_of(*options.per)
-                                : is_divided(scene) ? Granularity::kElement
-                                                    : Granularity::kFace;
+  request.factors.granularity = options.per      ? granularity_of(*options.per)
+                                : is_by_elements ? Granularity::kElement
+                                                 : Granularity::kFace;
   request.factors.tolerance = options.tolerance.value_or(request.factors.tolerance);
   request.factors.sky = options.sky == "closure" ? SkyBy::kClosure : SkyBy::kIntegral;
   request.factors.must_be_enclosed = options.guarantee == "enclosed";
   request.factors.memory = memory_of(options);
+  request.factors.store = store;
   request.system = {.solver = solver_of(options, false), .iterations = iterations_of(options), .until = options.until};
   request.plan.everything = options.simulate == "everything";
-  return std::make_shared<const AnySimulation>(std::in_place_type<Simulation3>, std::move(scene), std::move(request));
+  if (scene.grid) request.plan.grid_cells = std::uint64_t{scene.grid->nu} * scene.grid->nv;
+  return Simulation3(std::move(scene), request);
 }
 
 template <class AnyScene>
@@ -103,6 +109,16 @@ void require_sense(const SimulationOptions& options, bool is_plane) {
   require_within("iterations", options.iterations, std::numeric_limits<int>::max());
   require_within("memory", options.memory, std::numeric_limits<std::int64_t>::max());
   if (options.waiting.threads) require_within("threads", *options.waiting.threads, 4096);
+  const auto require_level = [](const char* name, int value) {
+    if (value < 0 || value > TreePath::kMostLevels)
+      throw UsageError(std::string(name) + " is a whole number from 0 to " + std::to_string(TreePath::kMostLevels));
+  };
+  require_level("levels", options.levels.everywhere);
+  require_level("light_levels", options.levels.at_borders);
+  if (options.levels.at_borders > 0 && options.levels.at_borders <= options.levels.everywhere)
+    throw UsageError("light_levels change nothing where they are not more than levels");
+  if (options.levels.is_any() && options.per && *options.per != "element")
+    throw UsageError("levels divide elements: they go with per='element'");
   require_positive("tolerance", options.tolerance);
   require_positive("until", options.until);
   require_one_of("guarantee", options.guarantee, {"estimated", "enclosed"});
@@ -124,9 +140,25 @@ hottel::Scene divided(hottel::Scene scene, const SimulationOptions& options) {
   return scene;
 }
 
-std::shared_ptr<const AnySimulation> simulation_of(hottel::Scene scene, const SimulationOptions& options) {
-  if (auto* const plane = std::get_if<Scene2>(&scene)) return in_plane(std::move(*plane), options);
-  return in_space(std::get<Scene3>(std::move(scene)), options);
+AnySimulation simulation_of(hottel::Scene scene, const SimulationOptions& options,
+                            const std::shared_ptr<FactorStore>& store) {
+  if (auto* const plane = std::get_if<Scene2>(&scene)) return in_plane(std::move(*plane), options, store);
+  return in_space(std::get<Scene3>(std::move(scene)), options, store);
+}
+
+std::shared_ptr<const AnySimulation> refined_by(const SimulationOptions& options, AnySimulation simulation,
+                                                const StageProgress& progress) {
+  if (options.levels.is_any())
+    simulation = std::visit([&](const auto& each) -> AnySimulation { return refined(each, options.levels, progress); },
+                            simulation);
+  return std::make_shared<const AnySimulation>(std::move(simulation));
+}
+
+std::shared_ptr<FactorStore> store_of(const SimulationOptions& options) {
+  if (!options.store) return nullptr;
+  if (is_foreign(options.method))
+    throw UsageError("store keeps what hottel computes, not the factors of " + options.method);
+  return open_factor_store(*options.store);
 }
 
 }  // namespace hottel::python

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string_view>
 
-#include "kernel/support/parallel.h"
 #include "kernel/support/stage.h"
+#include "kernel/support/thread_share.h"
 
 namespace hottel::python {
 
@@ -17,7 +17,7 @@ namespace py = pybind11;
 
 // How the stages of a simulation are waited for.
 struct Waiting {
-  std::optional<int> threads;       // at most so many
+  std::optional<int> threads;       // at most so many for each piece of work
   py::object progress{py::none()};  // progress(stage, fraction), or None
 };
 
@@ -40,8 +40,7 @@ template <class Work>
 auto without_lock(const Waiting& waiting, const Work& work) {
   Watch watch(waiting);
   const py::gil_scoped_release released;
-  std::optional<ThreadLimit> limit;
-  if (waiting.threads) limit.emplace(*waiting.threads);
+  const ThreadShare share(waiting.threads.value_or(0));
   return work(StageProgress(std::ref(watch)));
 }
 

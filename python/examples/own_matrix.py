@@ -2,24 +2,20 @@
 
 import pathlib
 
-import numpy
-
 import hottel
 
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
 
 scene = hottel.read_scene(SCENES / "analytic/strip_obstructed.json")
-exact = hottel.Simulation(scene).factors
-own = hottel.Simulation(scene, method="rays:256").factors.factors
+simulation = hottel.Simulation(scene)
+own = hottel.Simulation(scene, method="rays:256").factors.factors.copy()
 
-difference = own - exact.factors
-worst = numpy.unravel_index(numpy.abs(difference).argmax(), difference.shape)
-print("worst:", exact.names[worst[0]], "->", exact.names[worst[1]])
-print(f"  exact {exact.factors[worst]:.6f}, own {own[worst]:.6f}, off by {difference[worst]:+.1e}")
+judgement = simulation.compare(own)
+print(f"off by {judgement.max_error:.1e} at most, radiosities by {judgement.max_radiosity_error:.1e}")
+worst = judgement.worst[0]
+print(f"worst: {worst.from_name} -> {worst.to_name}, {worst.reason}: {worst.value:.6f}, exact {worst.exact:.6f}")
 
-areas = numpy.nan_to_num(exact.areas)
-for name, matrix in (("exact", exact.factors), ("own", own)):
-    rows = matrix.sum(axis=1)[:-1]
-    exchange = areas[:, None] * matrix
-    print(f"{name}: rows sum to 1 within {numpy.abs(rows[rows > 0] - 1).max():.0e},", end=" ")
-    print(f"reciprocity within {numpy.abs(exchange - exchange.T)[:-1, :-1].max():.0e}")
+own *= 2  # a mistake that is often made: half angles for whole ones
+verdict = simulation.compare(own).verdict
+assert verdict is not None  # there is one of every matrix
+print(*verdict.sentences, sep="\n")

@@ -1,5 +1,7 @@
 """A room in space, made of numbers: who sees whom, how bright its faces are, and the light in the middle."""
 
+import sys
+
 import hottel
 
 corners = [[0, 0, 0], [4, 0, 0], [4, 3, 0], [0, 3, 0], [0, 0, 2.5], [4, 0, 2.5], [4, 3, 2.5], [0, 3, 2.5]]
@@ -19,3 +21,5 @@ light = simulation.radiosity
 for name in ("floor#0", "south#0", "ceiling#0"):
     print(f"{name:10} {light[name]['radiosity'][0]:9.4f} W/m2, within {(light[name]['upper'] - light[name]['lower'])[0]:.0e}")
 print(f"in the middle {simulation.light([[2, 1.5, 1.25]])[0, 0]:.4f} W/m2")
+if len(sys.argv) > 1:  # a picture, as this file
+    simulation.picture(shading="smooth").save(sys.argv[1])

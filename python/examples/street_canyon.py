@@ -1,6 +1,7 @@
 """A street between two houses at night: how warm its ground and walls are, between proven bounds."""
 
 import pathlib
+import sys
 
 import hottel
 
@@ -16,3 +17,5 @@ for row, name in enumerate(warm.names):
 
 sky = simulation.flux["sky"]["net"][0]
 print(f"The sky takes {-sky:.3f} W from each metre of the street.")
+if len(sys.argv) > 1:  # a picture, as this file
+    simulation.picture("temperature", size=800).save(sys.argv[1])

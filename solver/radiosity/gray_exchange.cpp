@@ -8,7 +8,9 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string_view>
 
+#include "geometry/near_names.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 #include "solver/radiosity/certificate.h"
@@ -225,6 +227,24 @@ std::optional<std::uint32_t> first_coloured(const ExchangeMatrix& matrix, const 
     if (rho[0] != rho[1] || rho[0] != rho[2]) return i;
   }
   return std::nullopt;
+}
+
+int gray_channel(const ExchangeMatrix& matrix, const std::vector<Material>& materials, const std::string& name) {
+  constexpr std::string_view kNames = "rgb";
+  if (!materials.empty() && materials.front().has_bands) return static_cast<int>(kThermalBand);
+  if (!name.empty()) {
+    const std::size_t channel = name.size() == 1 ? kNames.find(name) : std::string_view::npos;
+    if (channel == std::string_view::npos)
+      throw UnknownName("the channel of script-F is r, g or b, not '" + name + "'", name,
+                        std::vector<std::string>{"r", "g", "b"});
+    return static_cast<int>(channel);
+  }
+  if (const auto row = first_coloured(matrix, materials)) {
+    const Element& element = matrix.elements()[*row];
+    throw RequestError("'" + materials[*element.material].name + "', the material of '" + element.name +
+                       "', is not gray: choose --channel r, g or b");
+  }
+  return 0;
 }
 
 }  // namespace hottel

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
@@ -61,5 +62,10 @@ double max_relative_width(const ExchangeMatrix& matrix);
 // Returns the first row whose material reflects the channels differently; nothing when all faces are gray.
 // REQUIRES materials of the elements that index into `materials`.
 std::optional<std::uint32_t> first_coloured(const ExchangeMatrix& matrix, const std::vector<Material>& materials);
+
+// Returns the channel whose reflectivities script-F is of: the thermal one of two bands; else that of the name, r, g or
+// b; without a name any, as all faces are to be gray. Throws RequestError, naming the material, where they are not, and
+// UnknownName for another name. REQUIRES what first_coloured does.
+int gray_channel(const ExchangeMatrix& matrix, const std::vector<Material>& materials, const std::string& name);
 
 }  // namespace hottel

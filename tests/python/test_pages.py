@@ -51,7 +51,8 @@ def test_examples_run_and_are_short(example):
 
 
 def test_every_public_name_is_told():
-    assert set(hottel.__all__) == {name for name in dir(_core) if not name.startswith("_")} | {"__version__"}
+    there = {name for name in dir(_core) if not name.startswith("_")}
+    assert set(hottel.__all__) == there | {"__version__", "ProgressBar", "SceneBuilder"}
     for name in hottel.__all__:
         assert name == "__version__" or inspect.getdoc(getattr(hottel, name))
 
@@ -89,7 +90,10 @@ def test_the_stubs_have_the_names_of_the_module():
 
 
 @pytest.mark.parametrize("name", ["Simulation.__init__", "Scene.__init__", "Scene.moved", "Simulation.light",
-                                  "Simulation.visible", "Factors.to_scipy"])
+                                  "Simulation.visible", "Factors.to_scipy", "Simulation.grid",
+                                  "Simulation.light_on", "Simulation.picture", "Scene.picture", "Scene.fixed",
+                                  "Simulation.frames", "Simulation.compare",
+                                  "Simulation.compare_grid", "Simulation.compare_radiosities", "Simulation.script_f"])
 def test_the_stubs_have_the_arguments_of_the_module(name):
     type_, member = name.split(".")
     stub = next(node for node in stub_names()[1][type_] if isinstance(node, ast.FunctionDef) and node.name == member)
@@ -107,3 +111,11 @@ def test_the_version_is_that_of_the_program():
 def test_the_module_takes_memory_as_python_does():
     linked = subprocess.run(["ldd", _core.__file__], capture_output=True, text=True, check=True).stdout
     assert "jemalloc" not in linked and "libtbb" in linked
+
+
+def test_types_hold_together():
+    sources = [ROOT / "python/hottel", *EXAMPLES]
+    done = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports", "--cache-dir=/dev/null",
+                           *sources], capture_output=True, text=True, cwd=ROOT / "python",
+                          env={**os.environ, "MYPYPATH": str(ROOT / "python")})
+    assert done.returncode == 0, done.stdout + done.stderr

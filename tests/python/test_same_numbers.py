@@ -1,6 +1,8 @@
 """The module gives the numbers of the program, bit for bit, and refuses what it refuses, in the same words."""
 
+import json
 import math
+import re
 
 import numpy
 import pytest
@@ -150,3 +152,136 @@ def test_light_in_space_is_that_of_the_grid_of_the_program(tmp_path):
     centres = [[(2 * i + 1) / 8, (2 * j + 1) / 4, 0.25] for j in range(2) for i in range(4)]
     light = hottel.Simulation(scene).light(centres)
     assert light.tobytes() == numpy.load(tmp_path / "illumination.npy").tobytes()
+
+
+GRID = {"origin": [0, 0, "1/4"], "u": [1, 0, 0], "v": [0, 1, 0], "cells": [4, 2]}
+
+
+def solved(scene, folder, *options):
+    """The folder of what `solve` writes of a scene."""
+    (folder / "scene.json").write_text(scene.to_json())
+    code, _, message = run_program("solve", folder / "scene.json", "-o", folder, *options)
+    assert code == 0, message
+    return folder
+
+
+@pytest.mark.parametrize("illumination", ["point", "average", "inverse-square"])
+def test_grids_in_the_plane_are_those_of_the_program(illumination, tmp_path):
+    scene = hottel.read_scene("scenes/showcase/apartment.json")
+    solved(scene, tmp_path, "--grid", "20x15", "--illumination", illumination, "--no-picture")
+    wanted = numpy.load(tmp_path / "illumination.npy")
+    grid = hottel.Simulation(scene).grid((20, 15), illumination=illumination)
+    assert grid.values.tobytes() == wanted.tobytes() and grid.values.shape == wanted.shape
+    assert (grid.max_error is not None) == (illumination == "average")
+
+
+@pytest.mark.parametrize("show", ["irradiance", "temperature", "sky"])
+def test_what_grids_show_is_that_of_the_program(show, tmp_path):
+    scene = hottel.read_scene("scenes/heat/street_canyon.json")
+    solved(scene, tmp_path, "--grid", "12x9", "--show", show)
+    simulation = hottel.Simulation(scene)
+    assert simulation.grid((12, 9), show=show).values.tobytes() == numpy.load(tmp_path / "shown.npy").tobytes()
+    assert simulation.picture(show, cells=(12, 9)).file() == (tmp_path / "illumination.png").read_bytes()
+
+
+@pytest.mark.parametrize("scene, show, options", [
+    ("scenes/showcase/apartment.json", "irradiance", {"channel": "g"}),
+    ("scenes/showcase/apartment.json", "net", {"channel": "r", "bar": "-1:2"}),
+    ("scenes/showcase/apartment.json", "radiosity", {"bar": "1e-3::log", "axes": True}),
+    ("scenes/heat/street_by_day.json", "irradiance", {"channel": "solar"}),
+    ("scenes/heat/street_by_day.json", "temperature", {"shading": "smooth"}),
+    ("scenes/analytic/square_radiosity.json", "factor:top", {}),
+    ("scenes/space/two_boxes.json", "radiosity", {"channel": "b", "shading": "smooth"}),
+])
+def test_pictures_of_quantities_are_those_of_the_program(scene, show, options, tmp_path):
+    scene = hottel.read_scene(scene)
+    words = [f"--{name}" if value is True else f"--{name}={value}" for name, value in options.items()]
+    solved(scene, tmp_path, "--show", show, "--size", 320, *words)
+    picture = hottel.Simulation(scene).picture(show, size=320, **options)
+    name = "illumination.png" if scene.dimension == 2 else "render.png"
+    assert picture.file() == (tmp_path / name).read_bytes()
+
+
+@pytest.mark.parametrize("show", ["irradiance", "sky"])
+def test_what_grids_in_space_show_is_that_of_the_program(show, tmp_path):
+    scene = hottel.read_scene("scenes/space/cube.json").replace(grid=GRID)
+    solved(scene, tmp_path, "--show", show, "--grid", "5x3")
+    simulation = hottel.Simulation(scene)
+    assert simulation.grid((5, 3), show=show).values.tobytes() == numpy.load(tmp_path / "shown.npy").tobytes()
+    assert simulation.grid((5, 3)).values.tobytes() == numpy.load(tmp_path / "illumination.npy").tobytes()
+    assert simulation.picture(show).file() == (tmp_path / "render.png").read_bytes()
+    assert simulation.picture(show, cells=(5, 3), of="grid").file() == (tmp_path / "illumination.png").read_bytes()
+
+
+@pytest.mark.parametrize("ending", ["png", "svg", "pdf"])
+@pytest.mark.parametrize("scene", ["scenes/showcase/apartment.json", "scenes/space/two_boxes.json"])
+def test_pictures_of_light_are_those_of_the_program(scene, ending, tmp_path):
+    scene = hottel.read_scene(scene)
+    solved(scene, tmp_path, "--render", tmp_path / f"picture.{ending}", "--size", 300, "--tone", "reinhard")
+    picture = hottel.Simulation(scene).picture(size=300, tone="reinhard")
+    picture.save(tmp_path / f"own.{ending}")
+    wanted, own = ((tmp_path / f"{name}.{ending}").read_bytes() for name in ("picture", "own"))
+    if ending == "pdf":  # a PDF tells when it was made
+        wanted, own = (re.sub(rb"CreationDate.*", b"", text) for text in (wanted, own))
+    assert own == wanted
+
+
+@pytest.mark.parametrize("scene", ["scenes/heat/street_canyon.json", "scenes/space/two_boxes.json"])
+def test_light_on_areas_is_that_of_the_program(scene, tmp_path):
+    scene = hottel.read_scene(scene)
+    names = "xyz"[: scene.dimension]
+    points = [[0.5 + 0.75 * k] * (scene.dimension - 1) + [0.5] for k in range(4)]
+    normals = [[0.5, 1, -0.25][: scene.dimension]] * 4
+    head = ",".join([*names, *("n" + name for name in names)])
+    (tmp_path / "points.csv").write_text(
+        "\n".join([head, *(",".join(map(repr, p + n)) for p, n in zip(points, normals))]) + "\n")
+    (tmp_path / "scene.json").write_text(scene.to_json())
+    code, listed, message = run_program("visibility", tmp_path / "scene.json", "--points", tmp_path / "points.csv")
+    assert code == 0, message
+    light = hottel.Simulation(scene).light_on(points, normals)
+    assert len(light) == len(table_of(listed)) == 4
+    for k, line in enumerate(table_of(listed)):
+        for c, channel in enumerate(light.channels):
+            column = "irradiance" if channel == "all" else "irradiance_" + channel
+            assert same(float(line[column] or "nan"), light.irradiance[k, c])
+        for column in ("sky_view_factor", "mean_radiant_temperature"):
+            assert same(float(line[column] or "nan"), getattr(light, column)[k])
+
+
+@pytest.mark.parametrize("scene, points", [
+    ("scenes/space/cube.json", ["1/2,1/4,3/4", "0,0.5,0.5", "2,2,2"]),
+    ("scenes/space/two_boxes.json", ["1,1,1", "2,3,4", "0.5,0.25,1.5"]),
+])
+def test_maps_of_points_in_space_are_those_of_the_program(scene, points):
+    numbers = [[float(eval(each)) for each in point.split(",")] for point in points]
+    seen = hottel.Simulation(hottel.read_scene(scene)).visible(numbers)
+    assert len(seen) == len(points)
+    for k, point in enumerate(points):
+        code, text, message = run_program("visibility", scene, "--at", point, "--json")
+        assert code == 0, message
+        wanted = json.loads(text)
+        if "solid" in wanted:
+            assert math.isnan(seen[k]["sky"]) and len(seen[k]) == 1
+            continue
+        fractions = {face["name"]: face["fraction"] for face in wanted["faces"]}
+        assert seen[k] == {**fractions, "sky": wanted["sky"]["fraction"]}
+        pieces = [(face["name"], piece) for face in wanted["faces"] for piece in face["pieces"]]
+        assert len(pieces) == len(seen.pieces(k))
+        for (name, piece), (own_name, directions, corners) in zip(pieces, seen.pieces(k)):
+            assert own_name == name
+            assert directions.tolist() == piece["directions"] and corners.tolist() == piece["points"]
+
+
+@pytest.mark.parametrize("scene", ["scenes/analytic/strip_obstructed.json", "scenes/showcase/apartment.json",
+                                   "scenes/degenerate/kettner_a1.json"])
+def test_the_visibility_graph_is_that_of_the_program(scene):
+    code, listed, message = run_program("visibility", scene, "--graph")
+    assert code == 0, message
+    graph = hottel.Simulation(hottel.read_scene(scene)).visibility_graph()
+    lines = table_of(listed)
+    assert len(lines) == len(graph.pairs) == len(graph.lengths) > 0
+    for line, (v, w), length, along in zip(lines, graph.pairs, graph.lengths, graph.along):
+        assert [int(line["vertex0"]), int(line["vertex1"])] == [v, w] and float(line["length"]) == length
+        assert [float(line[each]) for each in ("x0", "y0", "x1", "y1")] == [*graph.vertices[v], *graph.vertices[w]]
+        assert line["along"] == (graph.names[along] if along >= 0 else "")
+        assert (line["surface0"], line["surface1"]) == (graph.surfaces[v], graph.surfaces[w])

@@ -1,9 +1,12 @@
 """Long work lets others run, tells how far it is, and ends when it is asked to."""
 
+import io
 import os
 import signal
+import sys
 import threading
 import time
+import types
 
 import numpy
 import pytest
@@ -85,3 +88,36 @@ def test_ctrl_c_ends_the_light_of_many_points(square):
     with pytest.raises(KeyboardInterrupt):
         simulation.light(points)
     assert time.monotonic() - begin < 2
+
+
+def test_a_bar_is_a_line_for_each_stage(monkeypatch):
+    monkeypatch.setitem(sys.modules, "tqdm.auto", None)  # as where it is not installed
+    file = io.StringIO()
+    bar = hottel.ProgressBar(file)
+    long_work(progress=bar).radiosity
+    bar.close()
+    lines = file.getvalue().splitlines()
+    assert any("view factors: " in line for line in lines) and file.getvalue().endswith("\n")
+    bar.close()  # once more ends nothing
+    assert file.getvalue().splitlines() == lines
+
+
+def test_a_bar_is_that_of_tqdm_where_it_is_installed(monkeypatch):
+    told = []
+
+    class Bar:
+        def __init__(self, **options):
+            told.append(options["desc"])
+
+        def update(self, percent):
+            told.append(percent)
+
+        def close(self):
+            told.append("closed")
+
+    monkeypatch.setitem(sys.modules, "tqdm.auto", types.SimpleNamespace(tqdm=Bar))
+    bar = hottel.ProgressBar()
+    for stage, fraction in (("one", 0), ("one", 0.5), ("one", 0.5), ("two", 1)):
+        bar(stage, fraction)
+    bar.close()
+    assert told == ["one", 0, 50, "closed", "two", 100, "closed"]

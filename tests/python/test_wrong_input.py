@@ -188,11 +188,81 @@ def test_names_that_there_are_not(simulation):
             seen[place]
 
 
-def test_space_has_no_visibility_polygons():
+def test_what_space_has_not():
     simulation = hottel.Simulation(hottel.read_scene(SCENES / "space/cube.json"))
     with pytest.raises(hottel.UsageError, match="in the plane"):
-        simulation.visible([[0, 0, 0]])
+        simulation.visible([[0.5, 0.5, 0.5]], range=1)
+    with pytest.raises(hottel.UsageError, match="in the plane"):
+        simulation.visibility_graph()
+    for points in ([[0, 0]], [[math.nan, 0, 0]], 3.0):
+        with pytest.raises((hottel.InputError, TypeError)):
+            simulation.visible(points)
+    seen = simulation.visible([[0.5, 0.5, 0.5]])
+    for place in (1, -2, 10**9):
+        with pytest.raises(IndexError):
+            seen[place]
+        with pytest.raises(IndexError):
+            seen.pieces(place)
     with pytest.raises(hottel.UsageError, match="in the plane"):
         simulation.exact_form("floor", "ceiling")
     with pytest.raises(hottel.UsageError, match="dimension"):
         simulation.with_scene(hottel.read_scene(SCENES / "analytic/hexagon.json"))
+
+
+def test_grids_that_are_none(simulation):
+    for cells in ((0, 1), (1, 0), (-1, 2), (20000, 1), (10**30, 1), (1,), (1, 2, 3)):
+        with pytest.raises(hottel.UsageError):
+            simulation.grid(cells)
+    for cells in (3, "ab", (1.5, 2), (True, 2), ("1", "2"), {1: 2}):
+        with pytest.raises(TypeError):
+            simulation.grid(cells)
+    for over in ({}, {"min": [0, 0], "max": [0, 0], "cells": [2, 2]}, {"min": [0, 0], "max": [math.nan, 1]}):
+        with pytest.raises(hottel.InputError):
+            simulation.grid(over=over)
+    for options in ({"show": "light"}, {"show": "net"}, {"show": "x"}, {"illumination": "some"}, {"channel": "r"},
+                    {"show": "irradiance", "channel": "r"}, {"show": "temperature"},
+                    {"show": "sky", "illumination": "inverse-square"}):
+        with pytest.raises(hottel.UsageError):
+            simulation.grid((2, 2), **options)
+    space = hottel.Simulation(hottel.read_scene(SCENES / "space/cube.json"))
+    for options in ({}, {"cells": (2, 2)}, {"illumination": "average"}):
+        with pytest.raises(hottel.UsageError):
+            space.grid(**options)
+    with pytest.raises(hottel.RequestError, match="memory"):
+        hottel.Simulation(simulation.scene, memory=1000).grid((100, 100))
+
+
+def test_pictures_that_cannot_be_had(simulation, tmp_path):
+    for options in ({"show": "x"}, {"show": "factor:nowhere"}, {"size": -1}, {"size": 10**6}, {"tone": "blue"},
+                    {"exposure": 0}, {"exposure": math.inf}, {"shading": "x"}, {"shading": "smooth"}, {"contours": -1},
+                    {"show": "net", "bar": "a:b"}, {"show": "net", "tone": "max"}, {"show": "net", "contours": 3},
+                    {"of": "grid"}, {"channel": "r"}, {"show": "net", "size": 10}):
+        with pytest.raises(hottel.UsageError):
+            simulation.picture(**options)
+    space = hottel.Simulation(hottel.read_scene(SCENES / "space/cube.json"))
+    for options in ({"axes": True}, {"contours": 2}, {"cells": (2, 2)}, {"of": "room"}, {"of": "grid"},
+                    {"illumination": "average"}):
+        with pytest.raises(hottel.UsageError):
+            space.picture(**options)
+    with pytest.raises(hottel.UsageError):
+        space.scene.picture(axes=True)
+    picture = simulation.scene.picture()
+    with pytest.raises(hottel.UsageError):
+        picture.file("gif")
+    with pytest.raises(hottel.UsageError):
+        picture.save(tmp_path / "picture.gif")
+    with pytest.raises(OSError):
+        picture.save(tmp_path / "nowhere" / "picture.png")
+
+
+def test_normals_that_are_none(simulation):
+    points = [[1, 0.5], [0.5, 0.5]]
+    for normals in ([0, 0], [[1, 0], [0, 0]], [[1, 0, 0]], [1, 2, 3], [[math.nan, 1]], [[1, 2], [3]]):
+        with pytest.raises(hottel.InputError):
+            simulation.light_on(points, normals)
+    with pytest.raises(hottel.UsageError, match="2 points and 3 normals"):
+        simulation.light_on(points, [[0, 1]] * 3)
+    for normals in ("up", None, [[1j, 0]]):
+        with pytest.raises(TypeError):
+            simulation.light_on(points, normals)
+    assert len(simulation.light_on([], [0, 1])) == len(simulation.light_on([], [])) == 0

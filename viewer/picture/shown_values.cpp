@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "geometry/grey_temperature.h"
@@ -196,6 +198,39 @@ Shown shown_by(const std::string& word) {
                         "': " + words_of([](const QuantityRow&) { return true; }, ", ") +
                         ", or factor:NAME for the view factor to NAME",
                     word, known);
+}
+
+AskedScale scale_by(const std::string& text) {
+  AskedScale scale;
+  std::string ends = text;
+  if (ends == "log" || ends.ends_with(":log")) {
+    scale.is_logarithmic = true;
+    ends.resize(ends.size() - std::min<std::size_t>(ends.size(), 4));
+    if (ends.empty()) return scale;
+  }
+  const auto colon = ends.find(':');
+  const auto end = [&](const std::string& word) -> std::optional<double> {
+    if (word.empty()) return std::nullopt;
+    double value = 0;
+    const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || rest != word.data() + word.size() || !std::isfinite(value))
+      throw UsageError("--bar takes LOW:HIGH, LOW:HIGH:log or log, not '" + text + "'");
+    return value;
+  };
+  if (colon == std::string::npos) end(ends + ":");  // no number
+  scale.lower = end(ends.substr(0, colon));
+  scale.upper = end(ends.substr(colon + 1));
+  return scale;
+}
+
+void choose_channel(Shown& shown, const std::string& word) {
+  constexpr std::string_view kColours = "rgb";
+  shown.is_of_band = word == "solar" || word == "thermal";
+  const std::size_t colour = word.size() == 1 ? kColours.find(word) : std::string_view::npos;
+  if (!shown.is_of_band && colour == std::string_view::npos)
+    throw UnknownName("there is no channel called '" + word + "': r, g, b, solar, thermal", word,
+                      std::vector<std::string>{"r", "g", "b", "solar", "thermal"});
+  shown.channel = !shown.is_of_band ? colour : word == "solar" ? kSolarBand : kThermalBand;
 }
 
 void require_shown(const Shown& shown, const SceneTable& scene) {

@@ -45,6 +45,13 @@ Shown shown_by(const std::string& word);
 std::string words_to_show();
 std::string words_to_show_at_points();
 
+// Returns the ends of a scale that a text asks for: LOW:HIGH, LOW:HIGH:log or log; either end may be left out. Throws
+// UsageError for other texts.
+AskedScale scale_by(const std::string& text);
+
+// Sets the channel by its name: r, g, b, solar or thermal. Throws UnknownName for other words.
+void choose_channel(Shown& shown, const std::string& word);
+
 // Throws UsageError where a scene has nothing of the kind: a temperature where no face is warm by its material,
 // insulated or of a given net flux, a channel where there is one only, or of what has none; for a scale whose ends are
 // in the wrong order, or a logarithmic one of a net flux or from 0 or less; UnknownName for names that are not there.

@@ -24,4 +24,8 @@ std::vector<std::uint32_t> solids_at(const Solids3& solids, const Point3& point)
 PointMap3 outside_solids(PointMap3 map, const Arrangement3& arrangement, const Point3& eye,
                          const std::vector<std::uint32_t>& meshes);
 
+// Returns what is seen of the scene from a point, in all directions: with_owners, or outside_solids where the point is
+// on the border of solids. blockers: the pieces of the arrangement. REQUIRES a point that no solid is around.
+PointMap3 faces_seen_from(const Point3& eye, const Blockers3& blockers, const Arrangement3& arrangement);
+
 }  // namespace hottel

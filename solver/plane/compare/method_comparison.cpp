@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <iterator>
 
+#include "geometry/plane/prepared/element_table.h"
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/plane/compare/verdict.h"
+#include "solver/plane/light/illumination_grid.h"
 
 namespace hottel {
 namespace {
@@ -29,6 +31,13 @@ void add_verdict(const MethodComparison2& comparison, double beyond, MethodResul
   const Verdict verdict = judge(comparison.prepared(), comparison.exact(), result.matrix,
                                 {.beyond = beyond, .written = *result.report.written});
   std::ranges::move(verdict_sentences(verdict, comparison.exact()), std::back_inserter(result.notes));
+}
+
+IlluminationGrid2 exact_light_on(const MethodComparison2& comparison, const Grid2& grid) {
+  const RadiositySolution& solution = comparison.required_solution();
+  const PreparedScene2& prepared = comparison.prepared();
+  const ElementTable2& table = *prepared.elements(Granularity::kElement);
+  return with_lights(prepared, illuminate_points(prepared, grid, table, sent_out_2(table, solution, prepared.scene)));
 }
 
 }  // namespace hottel

@@ -7,6 +7,9 @@
 
 namespace hottel {
 
+struct Grid2;
+struct IlluminationGrid2;
+
 // A scene in the plane, ready to judge methods: as MethodComparison.
 class MethodComparison2 : public MethodComparison<PreparedScene2> {
  public:
@@ -18,5 +21,9 @@ class MethodComparison2 : public MethodComparison<PreparedScene2> {
 // Adds the verdict in words to the notes of a result whose factors were read from a file or came from a command; does
 // nothing to others. REQUIRES a result of this comparison, with its matrix. beyond: as in VerdictOptions.
 void add_verdict(const MethodComparison2& comparison, double beyond, MethodResult& result);
+
+// Returns the exact light at the centres of the cells of a grid (illuminate_points), with that of lights, by the exact
+// radiosities. Throws RequestError where there are none. COST: that of illuminate_points.
+IlluminationGrid2 exact_light_on(const MethodComparison2& comparison, const Grid2& grid);
 
 }  // namespace hottel

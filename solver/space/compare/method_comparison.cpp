@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "solver/space/compare/verdict.h"
+#include "solver/space/light/illumination_grid.h"
 
 namespace hottel {
 namespace {
@@ -30,6 +31,10 @@ void add_verdict(const MethodComparison3& comparison, double beyond, MethodResul
   const Verdict verdict = judge(comparison.prepared(), comparison.exact(), result.matrix,
                                 {.beyond = beyond, .written = *result.report.written});
   std::ranges::move(verdict_sentences(verdict, comparison.exact()), std::back_inserter(result.notes));
+}
+
+IlluminationGrid3 exact_light_on(const MethodComparison3& comparison, const Grid3& grid) {
+  return illuminate_points(comparison.prepared(), Granularity::kElement, comparison.required_solution(), grid);
 }
 
 }  // namespace hottel

@@ -8,6 +8,9 @@
 
 namespace hottel {
 
+struct Grid3;
+struct IlluminationGrid3;
+
 // A scene in space, ready to judge methods: as MethodComparison.
 class MethodComparison3 : public MethodComparison<PreparedScene3> {
  public:
@@ -19,5 +22,9 @@ class MethodComparison3 : public MethodComparison<PreparedScene3> {
 // Adds the verdict in words to the notes of a result whose factors were read from a file or came from a command; does
 // nothing to others. REQUIRES a result of this comparison, with its matrix. beyond: as in VerdictOptions.
 void add_verdict(const MethodComparison3& comparison, double beyond, MethodResult& result);
+
+// Returns the exact light at the centres of the cells of a grid (illuminate_points), with that of lights, by the exact
+// radiosities. Throws RequestError where there are none. COST: that of illuminate_points.
+IlluminationGrid3 exact_light_on(const MethodComparison3& comparison, const Grid3& grid);
 
 }  // namespace hottel

@@ -2,6 +2,7 @@
 
 #include "geometry/name.h"
 #include "kernel/support/failure.h"
+#include "solver/space/check/scene_check.h"
 #include "solver/space/simulation/simulation.h"
 
 namespace hottel {
@@ -34,6 +35,15 @@ ElementRadiosity radiosity_of(const Simulation3& simulation, const std::string& 
   const auto solution = simulation.radiosities();
   HOTTEL_REQUIRE(channel < solution->channels.size());
   return solution->channels[channel].elements[row];
+}
+
+SceneCheck3 scene_check(const Simulation3& simulation, const StageProgress& progress) {
+  return check_scene(simulation.scene(), {.prepared = [&] { return simulation.prepared(progress); },
+                                          .factors = [&]() -> std::shared_ptr<const ExchangeMatrix> {
+                                            const auto computed = simulation.factors(progress);
+                                            return {computed, &computed->matrix};
+                                          },
+                                          .lights = [&] { return *simulation.light_shares(progress); }});
 }
 
 }  // namespace hottel

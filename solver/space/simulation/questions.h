@@ -5,10 +5,12 @@
 #include <string>
 
 #include "kernel/enclosure.h"
+#include "kernel/support/stage.h"
 #include "solver/radiosity/radiosity_solution.h"
 
 namespace hottel {
 
+struct SceneCheck3;
 class Simulation3;
 
 // A view factor, what is known of it, and Vis.
@@ -28,5 +30,9 @@ KnownFactor3 view_factor(const Simulation3& simulation, const std::string& from,
 // Returns the radiosity of an element in a channel, with its bounds, and what goes with it. Throws UsageError where the
 // element has no row. REQUIRES a channel of the solution.
 ElementRadiosity radiosity_of(const Simulation3& simulation, const std::string& element, std::size_t channel = 0);
+
+// Returns what is worth telling about the scene (check_scene), with what the simulation has of it. REQUIRES factors by
+// faces. Throws what check_scene and progress throw.
+SceneCheck3 scene_check(const Simulation3& simulation, const StageProgress& progress = {});
 
 }  // namespace hottel

@@ -1,0 +1,114 @@
+#include "python/bindings/light_request.h"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "kernel/support/failure.h"
+#include "kernel/support/memory.h"
+#include "solver/plane/light/light_values.h"
+
+namespace hottel::python {
+namespace {
+
+std::uint32_t count_of(const py::object& number, std::uint32_t most) {
+  if (py::isinstance<py::bool_>(number) || PyIndex_Check(number.ptr()) == 0)
+    throw py::type_error("cells are two whole numbers, (nx, ny)");
+  const auto whole = py::reinterpret_steal<py::object>(PyNumber_Index(number.ptr()));
+  if (!whole) throw py::error_already_set();
+  int is_beyond = 0;
+  const long long value = PyLong_AsLongLongAndOverflow(whole.ptr(), &is_beyond);
+  if (is_beyond != 0 || value < 1 || value > most)
+    throw UsageError("cells are numbers from 1 to " + std::to_string(most));
+  return static_cast<std::uint32_t>(value);
+}
+
+std::optional<std::array<std::uint32_t, 2>> cells_of(const py::object& cells, std::uint32_t most) {
+  if (cells.is_none()) return std::nullopt;
+  if (!py::isinstance<py::sequence>(cells) || py::isinstance<py::str>(cells))
+    throw py::type_error("cells are two whole numbers, (nx, ny)");
+  const auto pair = py::reinterpret_borrow<py::sequence>(cells);
+  if (pair.size() != 2) throw UsageError("cells are two whole numbers, (nx, ny), not " + std::to_string(pair.size()));
+  return std::array{count_of(pair[0], most), count_of(pair[1], most)};
+}
+
+// A grid by itself is read as that of a scene of one surface.
+hottel::Scene scene_with_grid(const py::object& over, bool is_plane) {
+  if (!py::isinstance<py::dict>(over)) throw py::type_error("over is a dict, a grid as a scene file has it");
+  py::dict surface, materials, table;
+  surface["name"] = "surface";
+  surface["material"] = "material";
+  surface["points"] =
+      py::module_::import("json").attr("loads")(is_plane ? "[[0, 0], [1, 0]]" : "[[0, 0, 0], [1, 0, 0], [0, 1, 0]]");
+  materials["material"] = py::dict();
+  table["dimension"] = is_plane ? 2 : 3;
+  table["materials"] = materials;
+  table[is_plane ? "edges" : "polygons"] = py::make_tuple(surface);
+  table["grid"] = over;
+  return scene_of(table).scene();
+}
+
+void require_room(std::uint64_t nx, std::uint64_t ny, int channels, std::optional<std::int64_t> memory) {
+  const std::uint64_t bytes = nx * ny * static_cast<std::uint64_t>(channels) * sizeof(double);
+  const std::uint64_t allowed = memory_allowed(static_cast<std::uint64_t>(memory.value_or(0)));
+  if (bytes > allowed)
+    throw RequestError("light on " + std::to_string(nx) + " x " + std::to_string(ny) + " cells takes " +
+                       std::to_string(bytes) + " bytes of memory; allowed are " + std::to_string(allowed));
+}
+
+AnySimulation in_plane(const PythonSimulation& simulation, const GridKeywords& keywords) {
+  const Simulation2& before = simulation.in_the_plane();
+  const auto kind = light_kind_2(keywords.illumination);
+  if (!kind)
+    throw UsageError("illumination is one of 'point', 'average', 'inverse-square', not '" + keywords.illumination +
+                     "'");
+  SimulationRequest2 request = before.request();
+  request.light = *kind;
+  request.grid = default_grid(before.scene());
+  if (!keywords.over.is_none()) request.grid = std::get<Scene2>(scene_with_grid(keywords.over, true)).grid;
+  if (const auto cells = cells_of(keywords.cells, kMaxGridCells)) {
+    if (keywords.over.is_none()) request.grid = grid_over(before.scene(), (*cells)[0], (*cells)[1]);
+    request.grid->nx = (*cells)[0];
+    request.grid->ny = (*cells)[1];
+  }
+  require_room(request.grid->nx, request.grid->ny, channel_count(before.scene()), simulation.options().memory);
+  return before.with_request(std::move(request));
+}
+
+AnySimulation in_space(const PythonSimulation& simulation, const GridKeywords& keywords) {
+  if (keywords.illumination != "point")
+    throw UsageError("illumination is of scenes in the plane: in space light on a grid is that of points");
+  const Simulation3& before = simulation.in_space();
+  SimulationRequest3 request = before.request();
+  request.light.grid = before.scene().grid;
+  if (!keywords.over.is_none()) request.light.grid = std::get<Scene3>(scene_with_grid(keywords.over, false)).grid;
+  if (!request.light.grid)
+    throw UsageError(
+        "a scene in space has light on a grid where it says so, and this one does not: over={\"origin\": [x, y, z], "
+        "\"u\": [x, y, z], \"v\": [x, y, z], \"cells\": [N, N]}");
+  if (const auto cells = cells_of(keywords.cells, kMaxGridCells3)) {
+    request.light.grid->nu = (*cells)[0];
+    request.light.grid->nv = (*cells)[1];
+  }
+  require_room(request.light.grid->nu, request.light.grid->nv, channel_count(before.scene()),
+               simulation.options().memory);
+  return before.with_request(request);
+}
+
+}  // namespace
+
+std::shared_ptr<const AnySimulation> gridded(const PythonSimulation& simulation, const GridKeywords& keywords) {
+  return std::make_shared<const AnySimulation>(simulation.is_plane() ? in_plane(simulation, keywords)
+                                                                     : in_space(simulation, keywords));
+}
+
+Shown shown_of(const SceneTable& scene, const std::string& show, const std::optional<std::string>& channel,
+               const std::optional<std::string>& bar) {
+  Shown shown = shown_by(show);
+  if (bar) shown.scale = scale_by(*bar);
+  if (channel) choose_channel(shown, *channel);
+  require_shown(shown, scene);
+  return shown;
+}
+
+}  // namespace hottel::python
