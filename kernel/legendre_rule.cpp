@@ -42,8 +42,8 @@ Real nearest_by_mpfr(const arb_t ball) {
   return result;
 }
 template <>
-LongReal nearest<LongReal>(const arb_t ball) {
-  return nearest_by_mpfr<LongReal>(ball);
+LongerReal nearest<LongerReal>(const arb_t ball) {
+  return nearest_by_mpfr<LongerReal>(ball);
 }
 template <>
 WideReal nearest<WideReal>(const arb_t ball) {
@@ -89,7 +89,7 @@ const LegendreRule<Real>& legendre_rule(int n) {
 
 template const LegendreRule<double>& legendre_rule<double>(int);
 template const LegendreRule<long double>& legendre_rule<long double>(int);
-template const LegendreRule<LongReal>& legendre_rule<LongReal>(int);
+template const LegendreRule<LongerReal>& legendre_rule<LongerReal>(int);
 template const LegendreRule<WideReal>& legendre_rule<WideReal>(int);
 
 }  // namespace hottel

@@ -25,7 +25,7 @@ inline constexpr int kMaxLegendreNodes = 20;
 template <>
 inline constexpr int kMaxLegendreNodes<WideReal> = 48;
 
-// Returns the rule of n nodes. REQUIRES: 1 <= n <= kMaxLegendreNodes<Real>; Real is double, long double, LongReal or
+// Returns the rule of n nodes. REQUIRES: 1 <= n <= kMaxLegendreNodes<Real>; Real is double, long double, LongerReal or
 // WideReal.
 // COST: nothing; the first call makes all rules of a Real, in some milliseconds.
 template <class Real>

@@ -13,7 +13,7 @@ template <unsigned kDigits>
 using RealOfDigits = boost::multiprecision::number<
     boost::multiprecision::mpfr_float_backend<kDigits, boost::multiprecision::allocate_stack>,
     boost::multiprecision::et_off>;
-using LongReal = RealOfDigits<38>;
+using LongerReal = RealOfDigits<38>;
 using WideReal = RealOfDigits<96>;
 
 inline constexpr int kWideBits = std::numeric_limits<WideReal>::digits;

@@ -11,7 +11,7 @@ namespace {
 
 template <class Real>
 class LegendreRuleOf : public ::testing::Test {};
-using Reals = ::testing::Types<double, long double, LongReal, WideReal>;
+using Reals = ::testing::Types<double, long double, LongerReal, WideReal>;
 TYPED_TEST_SUITE(LegendreRuleOf, Reals);
 
 // The integral of x^k over [0, 1] is 1 / (k + 1).

@@ -15,9 +15,9 @@ inline constexpr int kCoarse = 6;
 template <class Real>
 inline constexpr int kFine = 9;
 template <>
-inline constexpr int kCoarse<LongReal> = 10;
+inline constexpr int kCoarse<LongerReal> = 10;
 template <>
-inline constexpr int kFine<LongReal> = 14;
+inline constexpr int kFine<LongerReal> = 14;
 template <>
 inline constexpr int kCoarse<WideReal> = 14;
 template <>
@@ -33,7 +33,7 @@ constexpr double kShortest = 0x1p-48;
 template <class Real>
 inline constexpr std::uint32_t kMostBisections = 20000;
 template <>
-inline constexpr std::uint32_t kMostBisections<LongReal> = 1000;
+inline constexpr std::uint32_t kMostBisections<LongerReal> = 1000;
 template <>
 inline constexpr std::uint32_t kMostBisections<WideReal> = 1000;
 
@@ -233,7 +233,7 @@ void EdgeIntegral3<Real>::sum_up() {
 
 template class EdgeIntegral3<double>;
 template class EdgeIntegral3<long double>;
-template class EdgeIntegral3<LongReal>;
+template class EdgeIntegral3<LongerReal>;
 template class EdgeIntegral3<WideReal>;
 
 }  // namespace hottel

@@ -27,8 +27,8 @@ struct EdgeValues3 {
 inline constexpr std::size_t kMostBytesOfArcs3 = 4'000'000;
 
 // The sum over pieces, each by two rules of Gauss-Legendre that are held against each other. Real is double, long
-// double, LongReal or WideReal: what cancels between edges, of needles and of what is small, needs more digits than it
-// has itself.
+// double, LongerReal or WideReal: what cancels between edges, of needles and of what is small, needs more digits than
+// it has itself.
 //
 //   (1) where the arcs of all pieces would take more than `most_bytes`, those that were made first are given up, and
 //       made again where a part is halved. No number depends on it

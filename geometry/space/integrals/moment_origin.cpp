@@ -118,7 +118,7 @@ ArcVector3<Real> direction_of_both_normals(const PairBodies3& bodies) {
 
 template Direction3 direction_of_both_normals<double>(const PairBodies3&);
 template LocalVector3<long double> direction_of_both_normals<long double>(const PairBodies3&);
-template LocalVector3<LongReal> direction_of_both_normals<LongReal>(const PairBodies3&);
+template LocalVector3<LongerReal> direction_of_both_normals<LongerReal>(const PairBodies3&);
 template LocalVector3<WideReal> direction_of_both_normals<WideReal>(const PairBodies3&);
 
 }  // namespace hottel

@@ -34,7 +34,7 @@ class MomentOrigin3 {
   bool is_on_common_line_ = false;
 };
 
-// The direction of the sum of the unit normals of both patches, in doubles, long doubles, LongReal or WideReal.
+// The direction of the sum of the unit normals of both patches, in doubles, long doubles, LongerReal or WideReal.
 // REQUIRES: their planes meet in a line.
 template <class Real>
 ArcVector3<Real> direction_of_both_normals(const PairBodies3& bodies);

@@ -129,10 +129,10 @@ template MovingPlanes3::WholeVector<double> MovingPlanes3::whole_vector<double>(
 template MovingPlanes3::WholeVector<WideReal> MovingPlanes3::whole_vector<WideReal>(const ExactPolynomial&, double,
                                                                                     double) const;
 template WideVector3<long double> MovingPlanes3::wide_normal(PlaneId3, double, double);
-template WideVector3<LongReal> MovingPlanes3::wide_normal(PlaneId3, double, double);
+template WideVector3<LongerReal> MovingPlanes3::wide_normal(PlaneId3, double, double);
 template WideVector3<WideReal> MovingPlanes3::wide_normal(PlaneId3, double, double);
 template WideVector3<long double> MovingPlanes3::wide_direction(const MovingCorner3&, double, double);
-template WideVector3<LongReal> MovingPlanes3::wide_direction(const MovingCorner3&, double, double);
+template WideVector3<LongerReal> MovingPlanes3::wide_direction(const MovingCorner3&, double, double);
 template WideVector3<WideReal> MovingPlanes3::wide_direction(const MovingCorner3&, double, double);
 
 }  // namespace hottel

@@ -93,7 +93,7 @@ class MovingPlanes3 {
   // for what is close to an end: where doubles lose them, taken from integers, about the t at which they are shortest.
   MovingVector3 fine_normal(PlaneId3 plane, double low, double high);
   MovingVector3 fine_direction(const MovingCorner3& corner, double low, double high);
-  // The same from integers, in long doubles, LongReal or WideReal.
+  // The same from integers, in long doubles, LongerReal or WideReal.
   template <class Real>
   WideVector3<Real> wide_normal(PlaneId3 plane, double low, double high);
   template <class Real>

@@ -34,7 +34,7 @@ class EdgeSum3 {
   // As EdgeIntegral3 does.
   void refine(double tolerance, double residual_tolerance);
   const EdgeValues3& values() const { return values_; }
-  // Begins anew, in long doubles, then in LongReal, then in WideReal. False where there are no more. COST: of a node
+  // Begins anew, in long doubles, then in LongerReal, then in WideReal. False where there are no more. COST: of a node
   // some 10 times as much as in doubles, then some hundred times, then some four hundred.
   bool take_more_digits();
   std::uint32_t nodes() const;
@@ -106,7 +106,7 @@ class EdgeSum3 {
   std::vector<Seen> seen_;
   EdgeIntegral3<double> doubles_;
   std::optional<EdgeIntegral3<long double>> long_doubles_;
-  std::optional<EdgeIntegral3<LongReal>> longer_;
+  std::optional<EdgeIntegral3<LongerReal>> longer_;
   std::optional<EdgeIntegral3<WideReal>> wide_;
   EdgeValues3 values_;
   const std::vector<PairStretch3>* stretches_ = nullptr;

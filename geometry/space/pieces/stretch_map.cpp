@@ -491,7 +491,7 @@ WidePiece3<Real> StretchMapper3::widened(const PairStretch3& stretch, const Stre
 }
 
 template WidePiece3<long double> StretchMapper3::widened(const PairStretch3&, const StretchPiece3&);
-template WidePiece3<LongReal> StretchMapper3::widened(const PairStretch3&, const StretchPiece3&);
+template WidePiece3<LongerReal> StretchMapper3::widened(const PairStretch3&, const StretchPiece3&);
 template WidePiece3<WideReal> StretchMapper3::widened(const PairStretch3&, const StretchPiece3&);
 
 }  // namespace hottel

@@ -10,7 +10,7 @@
 
 namespace hottel {
 
-// What StretchPiece3 is, in long doubles, LongReal or WideReal: what is small against its distance, and needles, lose
+// What StretchPiece3 is, in long doubles, LongerReal or WideReal: what is small against its distance, and needles, lose
 // as many digits as they are small.
 template <class Real>
 struct WidePiece3 {

@@ -46,7 +46,7 @@ void set_quotient(const Integer& top, const Integer& bottom, long bits, long dou
   result = in_long_double((top << static_cast<unsigned long>(more)) / bottom, more + bits);
 }
 
-void set_quotient(const Integer& top, const Integer& bottom, long bits, LongReal& result) {
+void set_quotient(const Integer& top, const Integer& bottom, long bits, LongerReal& result) {
   set_by_mpfr(top, bottom, bits, result.backend().data());
 }
 void set_quotient(const Integer& top, const Integer& bottom, long bits, WideReal& result) {

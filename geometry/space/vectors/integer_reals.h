@@ -8,7 +8,7 @@ namespace hottel::integer_reals {
 
 // Sets result to top / bottom * 2^-bits, off by at most 2 units of its last place. REQUIRES bottom > 0.
 void set_quotient(const Integer& top, const Integer& bottom, long bits, long double& result);
-void set_quotient(const Integer& top, const Integer& bottom, long bits, LongReal& result);
+void set_quotient(const Integer& top, const Integer& bottom, long bits, LongerReal& result);
 void set_quotient(const Integer& top, const Integer& bottom, long bits, WideReal& result);
 
 }  // namespace hottel::integer_reals

@@ -1,4 +1,4 @@
-// Vectors, approximations and sums in doubles, long doubles, LongReal or WideReal.
+// Vectors, approximations and sums in doubles, long doubles, LongerReal or WideReal.
 #pragma once
 
 #include <cmath>
@@ -53,7 +53,7 @@ inline constexpr double kRoundoff = power_of_half(std::numeric_limits<Real>::dig
 template <class Real>
 inline constexpr double kLeastDistance = 0x1p-110;
 template <>
-inline constexpr double kLeastDistance<LongReal> = 0x1p-200;
+inline constexpr double kLeastDistance<LongerReal> = 0x1p-200;
 template <>
 inline constexpr double kLeastDistance<WideReal> = 0x1p-400;
 
@@ -62,8 +62,8 @@ Real pi_of() {
   return std::numbers::pi_v<Real>;
 }
 template <>
-inline LongReal pi_of<LongReal>() {
-  return 4 * atan(LongReal(1));
+inline LongerReal pi_of<LongerReal>() {
+  return 4 * atan(LongerReal(1));
 }
 template <>
 inline WideReal pi_of<WideReal>() {

@@ -69,7 +69,7 @@ class EdgeSumMemory : public testing::Test {
       }
   }
 
-  // `digits`: 0 of doubles, 1 of long doubles, 2 of LongReal, 3 of WideReal.
+  // `digits`: 0 of doubles, 1 of long doubles, 2 of LongerReal, 3 of WideReal.
   Sum sum_of(const PairSetting3& setting, const std::vector<PairStretch3>& stretches, int digits,
              std::size_t most_bytes) const {
     constexpr double kNoShift[3] = {0, 0, 0};

@@ -270,9 +270,9 @@ TEST(IntegerReals3, QuotientsKeepTheirDigitsHoweverSmall) {
     long double small;
     integer_reals::set_quotient(1, Integer(3) << 200, bits, small);
     EXPECT_NEAR(static_cast<double>(std::ldexp(small, static_cast<int>(bits + 200)) * 3), 1, 1e-18);
-    LongReal longer;
+    LongerReal longer;
     integer_reals::set_quotient(1, Integer(3) << 200, bits, longer);
-    EXPECT_LE(abs(ldexp(longer, static_cast<int>(bits + 200)) * 3 - 1), LongReal(1e-36));
+    EXPECT_LE(abs(ldexp(longer, static_cast<int>(bits + 200)) * 3 - 1), LongerReal(1e-36));
     WideReal wide;
     integer_reals::set_quotient(1, Integer(3) << 200, bits, wide);
     EXPECT_LE(abs(ldexp(wide, static_cast<int>(bits + 200)) * 3 - 1), WideReal(1e-90));
