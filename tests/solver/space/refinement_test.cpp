@@ -9,8 +9,8 @@
 
 #include "geometry/space/exchange/exchange.h"
 #include "geometry/space/prepared/element_table.h"
-#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/prepared/face_patches.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/division.h"
 #include "solver/space/light/direct_light.h"
 #include "solver/space/light/scene_light_shares.h"
