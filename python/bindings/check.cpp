@@ -1,4 +1,4 @@
-#include "python/bindings/check.h"
+// What is worth telling about a scene, and its repair.
 
 #include <optional>
 #include <string>
@@ -14,6 +14,7 @@
 #include "python/bindings/bindings.h"
 #include "python/bindings/errors.h"
 #include "python/bindings/numbers.h"
+#include "python/bindings/scene.h"
 #include "python/bindings/waiting.h"
 #include "solver/plane/check/scene_repair.h"
 #include "solver/plane/simulation/simulation.h"
@@ -153,6 +154,17 @@ void add_finding(py::module_& module) {
       });
 }
 
+// Of the class Scene, which is there.
+void add_check_questions(py::class_<PythonScene> type) {
+  type.def("check", &check,
+           "Returns what is wrong with the scene, probably not meant, or worth knowing: a tuple of Finding, errors "
+           "first,\nas `hottel check` has them. InputError for a \"behind\" that cannot be obeyed.")
+      .def("fixed", &fixed, py::arg("within") = 0, py::kw_only(), py::arg("binary") = false,
+           "Returns the scene repaired without harm, Repair, as `hottel check --fix` does.\n\n"
+           "within: how far a point may be moved, in units of the scene, a number. InputError for what is no number,\n"
+           "UsageError where it is below 0.");
+}
+
 }  // namespace
 
 void add_check(py::module_& module) {
@@ -177,16 +189,7 @@ void add_check(py::module_& module) {
       .def("__repr__", [](const PythonRepair& repair) {
         return "<hottel.Repair of " + std::to_string(repair.steps.size()) + " steps>";
       });
-}
-
-void add_check_questions(py::class_<PythonScene>& type) {
-  type.def("check", &check,
-           "Returns what is wrong with the scene, probably not meant, or worth knowing: a tuple of Finding, errors "
-           "first,\nas `hottel check` has them. InputError for a \"behind\" that cannot be obeyed.")
-      .def("fixed", &fixed, py::arg("within") = 0, py::kw_only(), py::arg("binary") = false,
-           "Returns the scene repaired without harm, Repair, as `hottel check --fix` does.\n\n"
-           "within: how far a point may be moved, in units of the scene, a number. InputError for what is no number,\n"
-           "UsageError where it is below 0.");
+  add_check_questions(py::class_<PythonScene>(py::object(module.attr("Scene"))));
 }
 
 }  // namespace hottel::python

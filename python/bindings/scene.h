@@ -3,6 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <variant>
@@ -29,7 +30,10 @@ class PythonScene {
   std::shared_ptr<const hottel::Scene> scene_;
 };
 
-// The scene of a dict, with floats as their shortest decimals. Throws as Scene() does.
-PythonScene scene_of(const pybind11::dict& table);
+// The scene of a dict; floats are their shortest decimals, or the doubles that they are; files of meshes are found in
+// the folder. Throws as Scene() does.
+PythonScene scene_of(const pybind11::dict& table, const std::filesystem::path& folder = "", bool is_binary = false);
+// The scene of the text of a scene file. Throws InputError.
+PythonScene scene_of_text(const std::string& text);
 
 }  // namespace hottel::python
