@@ -33,7 +33,7 @@ struct SolveOptions {
   int contours = 0;
   bool axes = false;
   bool no_picture = false, no_illumination = false;
-  std::optional<std::string> tolerance;  // in space
+  std::optional<std::string> tolerance, guarantee;  // in space
   std::optional<std::uint64_t> memory;
   ElementOptions elements;
   LevelOptions levels;
