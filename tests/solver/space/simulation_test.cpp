@@ -14,6 +14,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
+#include "solver/memory_store.h"
 
 namespace hottel::simulation_test {
 namespace {
@@ -82,6 +83,19 @@ TEST(Simulation3, AFurnaceIsWithinItsBoundsWhereFactorsAreEnclosed) {
         EXPECT_NEAR(element.radiosity, 100, 1e-6);
       }
   }
+}
+
+// What was kept without proofs is not taken for proven.
+TEST(Simulation3, AStoreKeepsProvenFactorsByThemselves) {
+  const auto store = make_memory_store();
+  const Scene3 room = generate_3({.kind = "room-touching", .n = 2, .seed = 1});
+  const Simulation3 plain(room, {.factors = {.store = store}});
+  EXPECT_EQ(plain.factors()->matrix.guarantee(), Guarantee::kEstimated);
+  for (int again = 0; again < 2; ++again) {
+    const Simulation3 proven(room, {.factors = {.must_be_enclosed = true, .store = store}});
+    EXPECT_NE(proven.factors()->matrix.guarantee(), Guarantee::kEstimated) << again;
+  }
+  EXPECT_EQ(Simulation3(room, {.factors = {.store = store}}).factors()->matrix.guarantee(), Guarantee::kEstimated);
 }
 
 // (4), and (1) of it.
