@@ -693,9 +693,8 @@ const std::vector<OptionEntry>& option_entries() {
         {"hottel solve $C -o out --tolerance 0", "--tolerance must be a positive number"}}},
       {"solve",
        "--guarantee",
-       "hottel solve scenes/space/shelf_in_a_box.json -o out --no-picture --guarantee enclosed; grep -o "
-       "'for the factors as computed' out/report.json || true; cat out/radiosity.csv",
-       "hottel solve scenes/space/shelf_in_a_box.json -o out --no-picture; cat out/radiosity.csv",
+       "hottel solve scenes/space/two_boxes.json -o out --no-picture --guarantee enclosed; cat out/radiosity.csv",
+       "hottel solve scenes/space/two_boxes.json -o out --no-picture; cat out/radiosity.csv",
        {{"hottel solve $S -o out --guarantee enclosed", "--guarantee is for scenes in space"},
         {"hottel solve $C -o out --guarantee enclosed --method gauss:4", "--guarantee is of the method exact only"},
         {"hottel solve $C -o out --guarantee exact", "--guarantee"}}},
