@@ -7,20 +7,17 @@
 
 #include "io/files/disk_space.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/word_list.h"
 
 namespace hottel {
 namespace {
 
-// ".csv, .mtx or .txt (View3D)": of the formats that fit.
-template <class Fits>
-std::string endings(const Fits& fits, const char* before_last) {
+// ".csv, .mtx or .txt (View3D)": all that there are.
+std::string all_endings() {
   std::vector<std::string> all;
   for (const FactorFormatRow& row : kFactorFormats)
-    if (fits(row)) all.push_back(row.ending + (*row.whose != 0 ? fmt::format(" ({})", row.whose) : ""));
-  std::string text;
-  for (std::size_t k = 0; k < all.size(); ++k)
-    text += (k == 0 ? "" : k + 1 == all.size() ? before_last : ", ") + all[k];
-  return text;
+    all.push_back(row.ending + (*row.whose != 0 ? fmt::format(" ({})", row.whose) : ""));
+  return word_list(all, " or ");
 }
 
 }  // namespace
@@ -42,9 +39,9 @@ FactorFormat FactorsOptions::format() const {
     if (awaits_deck || deck.out == 0U) return FactorFormat::kView3dText;
     if (deck.out == 1U) return FactorFormat::kView3dBinary;
   }
-  throw UsageError(
-      fmt::format("factors {} {}, not '{}'", matrix.empty() ? "are written" : "as a dense matrix are written",
-                  "as " + (is_csv_only ? ".csv" : endings([](const auto&) { return true; }, " or ")), out));
+  throw UsageError(fmt::format("factors {} {}, not '{}'",
+                               matrix.empty() ? "are written" : "as a dense matrix are written",
+                               "as " + (is_csv_only ? ".csv" : all_endings()), out));
 }
 
 void require_room_for(const FactorsOptions& options, const std::function<DenseSize(FactorFormat)>& size) {

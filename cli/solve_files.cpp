@@ -57,23 +57,23 @@ void SolveFiles::finish(const SolveOptions& options, const SolveReport& report, 
                folder_.string() + ":" + names() + " report.json" + earlier() + more);
 }
 
+bool SolveFiles::has(const char* name) const {
+  return std::ranges::any_of(own_, [&](const OutputFile& file) { return file.name() == (folder_ / name).string(); });
+}
+
 std::string SolveFiles::names() const {
   std::string names;
   for (const char* name : kNames)
-    if (std::ranges::any_of(own_, [&](const OutputFile& file) { return file.name() == (folder_ / name).string(); }))
-      names += std::string(" ") + name;
+    if (has(name)) names += std::string(" ") + name;
   return names;
 }
 
 // Files of `hottel solve` that this run did not write.
 std::string SolveFiles::earlier() const {
-  const std::string written = names() + " ";
   std::string names;
   for (const char* name : kNames) {
     std::error_code ignored;
-    if (written.find(std::string(" ") + name + " ") == std::string::npos &&
-        std::filesystem::exists(folder_ / name, ignored))
-      names += std::string(" ") + name;
+    if (!has(name) && std::filesystem::exists(folder_ / name, ignored)) names += std::string(" ") + name;
   }
   return names.empty() ? names : "\nof an earlier run, and left as it was:" + names;
 }

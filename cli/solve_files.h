@@ -50,6 +50,7 @@ class SolveFiles {
               Streams& streams);
 
  private:
+  bool has(const char* name) const;
   std::string names() const;
   std::string earlier() const;
 

@@ -1,6 +1,7 @@
 // Elements: what carries one unknown each.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>

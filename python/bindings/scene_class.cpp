@@ -2,10 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "geometry/planarity.h"
 #include "geometry/scene_names.h"
-#include "geometry/space/scene/near_plane.h"
-#include "geometry/space/scene/polygon.h"
 #include "io/scene/plane/map_reader.h"
 #include "io/scene/space/vs3_reader.h"
 #include "io/scene/table_writer.h"

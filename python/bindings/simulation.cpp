@@ -4,7 +4,6 @@
 
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/visibility/visibility_polygons.h"
-#include "io/results/radiosity_files.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
 #include "python/bindings/bindings.h"

@@ -1,13 +1,8 @@
 // The class Simulation as Python sees it: its members, and those that other files add.
 #include <memory>
 
-#include "geometry/plane/exchange/exchange.h"
-#include "geometry/plane/visibility/visibility_polygons.h"
-#include "io/results/radiosity_files.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/memory.h"
 #include "python/bindings/bindings.h"
-#include "python/bindings/factors.h"
 #include "python/bindings/frames.h"
 #include "python/bindings/graph.h"
 #include "python/bindings/grid.h"
@@ -15,17 +10,10 @@
 #include "python/bindings/numbers.h"
 #include "python/bindings/oriented_light.h"
 #include "python/bindings/plan.h"
-#include "python/bindings/point_light.h"
-#include "python/bindings/radiosity.h"
 #include "python/bindings/root_sum.h"
 #include "python/bindings/simulation.h"
 #include "python/bindings/simulation_options.h"
 #include "python/bindings/simulation_picture.h"
-#include "python/bindings/visible.h"
-#include "python/bindings/visible_map.h"
-#include "solver/plane/simulation/questions.h"
-#include "solver/radiosity/gray_exchange.h"
-#include "solver/store.h"
 
 namespace hottel::python {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
+#include "solver/methods/factor_rows.h"
 
 namespace hottel {
 namespace {
@@ -57,15 +58,7 @@ ExchangeMatrix merged_matrix(const ExchangeMatrix& matrix, std::span<const std::
       met.clear();
     }
   });
-  std::vector<std::size_t> begin(1, 0);
-  FactorEntries entries;
-  for (const std::vector<FactorEntry>& row : rows) {
-    entries.append(row);
-    begin.push_back(entries.size());
-  }
-  ExchangeMatrix result(std::move(whole), Guarantee::kEstimated);
-  result.assign(std::move(begin), std::move(entries));
-  return result;
+  return matrix_of_rows(whole, rows);
 }
 
 ExchangeMatrix coarsened(const ExchangeMatrix& matrix, const SceneTable& scene, const std::vector<Element>& whole,

@@ -16,6 +16,7 @@
 #include "geometry/near_names.h"
 #include "geometry/scene_names.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/word_list.h"
 #include "solver/radiosity/element_temperatures.h"
 
 namespace hottel {
@@ -69,13 +70,10 @@ const QuantityRow& row_of(const Shown& shown) {
 
 // "radiosity, irradiance or net": those that fit.
 std::string words_of(bool (*fits)(const QuantityRow&), const std::string& before_last) {
-  std::string text;
   std::vector<std::string> words;
   for (const QuantityRow& row : kQuantities)
     if (fits(row)) words.emplace_back(row.word);
-  for (std::size_t k = 0; k < words.size(); ++k)
-    text += (k == 0 ? "" : k + 1 == words.size() ? before_last : ", ") + words[k];
-  return text;
+  return word_list(words, before_last);
 }
 
 // The faces that factors go to, by number; empty: the sky.

@@ -107,6 +107,14 @@ bool MomentOrigin3::set_on_common_line(double shift) {
   return true;
 }
 
+IntegerVector MomentOrigin3::way_to(const Stretch3& stretch) const {
+  return difference(multiple(point_.weight, stretch.from), multiple(stretch.weight, point_.numerator));
+}
+
+MomentOrigin3::Moment MomentOrigin3::moment_of(const Stretch3& stretch) const {
+  return {cross(way_to(stretch), stretch.way), stretch.weight * stretch.weight * point_.weight};
+}
+
 // Nearly opposite normals lose the digits of their sum: it is at right angles to the line and to the difference.
 template <class Real>
 ArcVector3<Real> direction_of_both_normals(const PairBodies3& bodies) {

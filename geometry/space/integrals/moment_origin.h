@@ -23,6 +23,15 @@ class MomentOrigin3 {
   const WeightedPoint3& point() const { return point_; }
   bool is_on_common_line() const { return is_on_common_line_; }
 
+  // Where a stretch begins, from here, times both weights.
+  IntegerVector way_to(const Stretch3& stretch) const;
+  // That times the way of the stretch, as a quotient.
+  struct Moment {
+    IntegerVector numerator;
+    Integer denominator;
+  };
+  Moment moment_of(const Stretch3& stretch) const;
+
  private:
   double extent(std::uint32_t patch) const;
   void set_in_the_middle();

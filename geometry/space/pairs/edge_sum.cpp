@@ -19,20 +19,8 @@ constexpr double kGrid = 0x1p24, kSlack = 1e-6;
 // What is seen at the end of a piece is looked at from this part of it inside.
 constexpr double kInside = 0x1p-20;
 
-// numerator / denominator * 2^-shift, to the last digits.
 Direction3 ratio(const IntegerVector& numerator, const Integer& denominator, long shift) {
-  return {rounded_quotient(numerator.x, denominator, shift), rounded_quotient(numerator.y, denominator, shift),
-          rounded_quotient(numerator.z, denominator, shift)};
-}
-template <class Real>
-void set_ratio(const IntegerVector& numerator, const Integer& denominator, long shift, ArcVector3<Real>& result) {
-  if constexpr (std::is_same_v<Real, double>) {
-    result = ratio(numerator, denominator, shift);
-  } else {
-    integer_reals::set_quotient(numerator.x, denominator, shift, result.x);
-    integer_reals::set_quotient(numerator.y, denominator, shift, result.y);
-    integer_reals::set_quotient(numerator.z, denominator, shift, result.z);
-  }
+  return integer_reals::quotient<Direction3>(numerator, denominator, shift);
 }
 
 }  // namespace
@@ -47,17 +35,12 @@ EdgeSum3::EdgeSum3(const PairBodies3& bodies, const MomentOrigin3& origin, long 
                most_bytes),
       extents_{extent(0), extent(1)} {}
 
-IntegerVector EdgeSum3::from_origin(const Stretch3& s) const {
-  const WeightedPoint3& origin = origin_.point();
-  return difference(multiple(origin.weight, s.from), multiple(s.weight, origin.numerator));
-}
-
 template <class Real>
 std::uint32_t EdgeSum3::add_stretch(const Stretch3& s, EdgeIntegral3<Real>& integral) const {
-  ArcVector3<Real> way, moment;
-  set_ratio<Real>(s.way, s.weight, shift_, way);
-  set_ratio<Real>(cross(from_origin(s), s.way), s.weight * s.weight * origin_.point().weight, 2 * shift_, moment);
-  return integral.add_stretch(way, moment);
+  using integer_reals::quotient;
+  const MomentOrigin3::Moment moment = origin_.moment_of(s);
+  return integral.add_stretch(quotient<ArcVector3<Real>>(s.way, s.weight, shift_),
+                              quotient<ArcVector3<Real>>(moment.numerator, moment.denominator, 2 * shift_));
 }
 
 // Where both patches reach the line that their planes share, it adds pi / 2 times both unit normals and its length.
@@ -80,7 +63,7 @@ bool EdgeSum3::add(const std::vector<PairStretch3>& stretches, PairMeasure3& res
       ends_.push_back({number, piece.high});
     }
     const Stretch3& s = stretch.line();
-    const Direction3 from = ratio(from_origin(s), s.weight * origin_.point().weight, shift_);
+    const Direction3 from = ratio(origin_.way_to(s), s.weight * origin_.point().weight, shift_);
     const Direction3 way = ratio(s.way, s.weight, shift_), moment = cross(from, way);
     may_lack_ += kRootError * length(moment) * most_seen(stretch);
     if (pieces.empty()) continue;
@@ -249,11 +232,13 @@ std::vector<PairStretch3> EdgeSum3::cut_at_ends(double most) const {
   return result;
 }
 
+template <class Visit>
+auto EdgeSum3::of_most_digits(const Visit& visit) {
+  return wide_ ? visit(*wide_) : longer_ ? visit(*longer_) : long_doubles_ ? visit(*long_doubles_) : visit(doubles_);
+}
+
 void EdgeSum3::refine(double tolerance, double residual_tolerance) {
-  values_ = wide_           ? wide_->refine(tolerance, residual_tolerance)
-            : longer_       ? longer_->refine(tolerance, residual_tolerance)
-            : long_doubles_ ? long_doubles_->refine(tolerance, residual_tolerance)
-                            : doubles_.refine(tolerance, residual_tolerance);
+  values_ = of_most_digits([&](auto& integral) { return integral.refine(tolerance, residual_tolerance); });
 }
 
 std::uint32_t EdgeSum3::nodes() const {
@@ -270,10 +255,7 @@ const EdgeSum3::Seen& EdgeSum3::stretch_of(std::uint32_t piece) const {
 }
 
 void EdgeSum3::tell(PairDetails3& details) {
-  const std::vector<double> of_piece = wide_           ? wide_->of_pieces()
-                                       : longer_       ? longer_->of_pieces()
-                                       : long_doubles_ ? long_doubles_->of_pieces()
-                                                       : doubles_.of_pieces();
+  const std::vector<double> of_piece = of_most_digits([](const auto& integral) { return integral.of_pieces(); });
   for (std::size_t s = 0; s < seen_.size(); ++s) {
     const PairStretch3& stretch = *seen_[s].stretch;
     const Stretch3& line = stretch.line();

@@ -87,8 +87,9 @@ class EdgeSum3 {
   // How much of directions a stretch sees at most, about.
   double most_seen(const PairStretch3& stretch) const;
   static void cut(const PairStretch3& stretch, const std::vector<double>& ends, std::vector<PairStretch3>& result);
-  // Where a stretch begins, from the origin, times both weights.
-  IntegerVector from_origin(const Stretch3& s) const;
+  // What visit makes of the sum with the most digits that there is.
+  template <class Visit>
+  auto of_most_digits(const Visit& visit);
   template <class Real>
   std::uint32_t add_stretch(const Stretch3& s, EdgeIntegral3<Real>& integral) const;
   template <class Real>

@@ -11,6 +11,7 @@ namespace hottel {
 namespace {
 
 using namespace ball_arithmetic_3;
+using integer_reals::quotient;
 
 // Lengths in doubles are right to this part of what they are made of, by far.
 constexpr double kSlack = 1e-9;
@@ -24,22 +25,6 @@ constexpr double kOfRules = 0x1p-6, kOfMoment = 0x1p-56;
 // Doubles are to leave no more than this part of what is allowed of all; else more digits are asked where they leave
 // more than that part of what is allowed there.
 constexpr double kOfAll = 0.5, kOfDoubles = 0.125;
-
-template <class Real>
-LocalVector3<Real> ratio(const IntegerVector& numerator, const Integer& denominator, long shift) {
-  LocalVector3<Real> result;
-  if constexpr (std::is_same_v<Real, double>) {
-    result = {rounded_quotient(numerator.x, denominator, shift), rounded_quotient(numerator.y, denominator, shift),
-              rounded_quotient(numerator.z, denominator, shift)};
-  } else {
-    integer_reals::set_quotient(numerator.x, denominator, shift, result.x);
-    integer_reals::set_quotient(numerator.y, denominator, shift, result.y);
-    integer_reals::set_quotient(numerator.z, denominator, shift, result.z);
-  }
-  return result;
-}
-
-Direction3 in_doubles(const LocalVector3<double>& a) { return {a.x, a.y, a.z}; }
 
 // The quotient by 2 pi of what a ball holds.
 Enclosure over_full_turn(const Ball3<double>& sum) {
@@ -78,8 +63,8 @@ EdgeEnclosure3::Extent EdgeEnclosure3::extent(std::uint32_t patch) const {
 // its area over the square of its distance.
 double EdgeEnclosure3::most_seen(const PairStretch3& stretch) const {
   const Stretch3& s = stretch.line();
-  const Direction3 from = in_doubles(ratio<double>(s.from, s.weight, bodies_.shift()));
-  const Direction3 way = in_doubles(ratio<double>(s.way, s.weight, bodies_.shift()));
+  const Direction3 from = quotient<Direction3>(s.from, s.weight, bodies_.shift());
+  const Direction3 way = quotient<Direction3>(s.way, s.weight, bodies_.shift());
   const double square = dot(way, way);
   double most = std::numbers::pi * (1 + kSlack);
   for (std::uint32_t patch = 0; patch < 2; ++patch) {
@@ -96,12 +81,9 @@ double EdgeEnclosure3::most_seen(const PairStretch3& stretch) const {
 
 template <class Real>
 ProvenMoment3<Real> EdgeEnclosure3::moment_of(const Stretch3& s) const {
-  const WeightedPoint3& origin = origin_.point();
-  const IntegerVector from = difference(multiple(origin.weight, s.from), multiple(s.weight, origin.numerator));
-  const IntegerVector moment = cross(from, s.way);
-  const Integer weight = s.weight * s.weight * origin.weight;
-  ProvenMoment3<Real> result{ratio<Real>(moment, weight, 2 * shift_), 0, 0};
-  const LocalVector3<double> about = ratio<double>(moment, weight, 2 * shift_);
+  const auto [moment, weight] = origin_.moment_of(s);
+  ProvenMoment3<Real> result{quotient<LocalVector3<Real>>(moment, weight, 2 * shift_), 0, 0};
+  const auto about = quotient<LocalVector3<double>>(moment, weight, 2 * shift_);
   const double length = std::sqrt(dot(about, about));
   result.size = up(length * (1 + kOfQuotient));
   result.error = std::is_same_v<Real, double> ? kOfQuotient * result.size : 4 * kRoundoff<Real> * result.size;
