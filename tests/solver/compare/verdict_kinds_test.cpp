@@ -99,7 +99,7 @@ const Setting& setting(int dimension, std::uint64_t seed) {
 }
 
 enum class Rule { kExact, kCenter, kDisk, kCorners, kGauss2 };
-enum class Hides { kExactly, kAllOrNothing, kNothing };
+enum class Hides { kExactly, kAllOrNothing, kOnlyWhole, kNothing };  // kOnlyWhole: what is hidden in part is not
 enum class Turned { kNot, kTransposed, kExchange, kRatioOfAreas, kNoArea, kAreaTwice };
 enum class Order { kRight, kReversed, kTwoExchanged, kShifted };
 
@@ -119,7 +119,7 @@ struct Kind {
     std::set<Fault> all;
     if (rule != Rule::kExact) all.insert(Fault::kMethod);
     if (hides == Hides::kNothing) all.insert(Fault::kNoOcclusion);
-    if (hides == Hides::kAllOrNothing) all.insert(Fault::kAllOrNothing);
+    if (hides == Hides::kAllOrNothing || hides == Hides::kOnlyWhole) all.insert(Fault::kAllOrNothing);
     if (turned == Turned::kTransposed)
       all.insert(Fault::kTransposed);
     else if (turned != Turned::kNot)
@@ -225,6 +225,7 @@ std::vector<Kind> kinds() {
       {.name = "all or nothing, transposed", .hides = kAllOrNothing, .turned = kTransposed},
       {.name = "all or nothing, pi", .hides = kAllOrNothing, .constant = kPi},
       {.name = "all or nothing, no A_j", .hides = kAllOrNothing, .turned = kNoArea},
+      {.name = "only wholly hidden, 1/pi", .hides = kOnlyWhole, .constant = 1 / kPi},
       {.name = "centres", .rule = Rule::kCenter},
       {.name = "centres, all or nothing", .rule = Rule::kCenter, .hides = kAllOrNothing},
       {.name = "centres, no occlusion", .rule = Rule::kCenter, .hides = kNothing},
