@@ -142,7 +142,9 @@ bool is_geometric(const JudgedScene& scene, const JudgedPairs& judged, const std
                   bool is_even) {
   const std::vector<ScatteredPair> pairs =
       scattered_pairs(judged, leave_out, is_even ? RaySpread::kEven : RaySpread::kRandom);
-  return geometric_share(scene, judged, pairs).is_geometry();
+  const GeometricShare share = geometric_share(scene, judged, pairs);
+  // Rays of one face are spread evenly, and counted; or both ways of a pair are made one afterwards.
+  return share.is_geometry() || (is_even && !share.is_closed && !share.is_symmetric);
 }
 
 // Whether a sum leans by more than counters lose: then what scatters is another number.

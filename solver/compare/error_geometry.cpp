@@ -95,8 +95,9 @@ GeometricShare geometric_share(const JudgedScene& scene, const JudgedPairs& judg
   }
   if (!(squares > 0)) return {};
   // Of a symmetric matrix half of the numbers are new.
-  const double numbers = static_cast<double>(count) / (is_symmetric(judged, pairs) ? 2 : 1);
-  return {products / squares, 1 / std::sqrt(numbers), is_closed(judged)};
+  const bool is_halved = is_symmetric(judged, pairs);
+  const double numbers = static_cast<double>(count) / (is_halved ? 2 : 1);
+  return {products / squares, 1 / std::sqrt(numbers), is_closed(judged), is_halved};
 }
 
 }  // namespace hottel

@@ -12,9 +12,10 @@ namespace hottel {
 
 // How much of the squares of errors is shared by pairs that lie alike.
 struct GeometricShare {
-  double share = 0;        // in [-1, 1]: about 0 of rays, 1 of a rule
-  double deviation = 1;    // that of rays would have, about 0
-  bool is_closed = false;  // half of the rows, or more, sum to what they should
+  double share = 0;           // in [-1, 1]: about 0 of rays, 1 of a rule
+  double deviation = 1;       // that of rays would have, about 0
+  bool is_closed = false;     // half of the rows, or more, sum to what they should
+  bool is_symmetric = false;  // A_i F_ij = A_j F_ji to the digits
 
   // Scatter that also leans, or a few pairs that are wrong otherwise, keep below a third. Rows that do not sum to what
   // they should are no counter's, so that more is asked of them, and more numbers.
