@@ -5,6 +5,7 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +33,18 @@ template <class T>
 py::array frozen(std::vector<T> values) {
   const auto size = static_cast<py::ssize_t>(values.size());
   return frozen(std::move(values), {size});
+}
+
+// Returns the values themselves as an array, which nobody can change and which keeps their owner. REQUIRES that they
+// stay as they are as long as the owner lives.
+template <class T>
+py::array shared(std::span<const T> values, std::shared_ptr<const void> owner) {
+  if (values.empty()) return frozen(std::vector<T>());
+  using Owner = std::shared_ptr<const void>;
+  const py::capsule base(new Owner(std::move(owner)), [](void* pointer) { delete static_cast<Owner*>(pointer); });
+  py::array_t<T> array(static_cast<py::ssize_t>(values.size()), values.data(), base);
+  array.attr("flags").attr("writeable") = false;
+  return array;
 }
 
 py::tuple tuple_of(const std::vector<std::string>& texts);

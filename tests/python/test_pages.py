@@ -90,7 +90,7 @@ def test_the_stubs_have_the_names_of_the_module():
 
 
 @pytest.mark.parametrize("name", ["Simulation.__init__", "Scene.__init__", "Scene.moved", "Simulation.light",
-                                  "Simulation.visible", "Factors.to_scipy", "Simulation.grid",
+                                  "Simulation.visible", "Factors.to_scipy", "Factors.arrays", "Simulation.grid",
                                   "Simulation.light_on", "Simulation.picture", "Scene.picture", "Scene.fixed",
                                   "Simulation.frames", "Simulation.compare",
                                   "Simulation.compare_grid", "Simulation.compare_radiosities", "Simulation.script_f"])

@@ -46,7 +46,7 @@ def test_arrays_cannot_be_changed(simulation):
 
 def test_what_a_caller_owns_changes_nothing(simulation):
     before = simulation.factors.factors.copy()
-    matrix = simulation.factors.to_scipy()
+    matrix = simulation.factors.to_scipy(copy=True)
     matrix.data[:] = 0
     matrix.indices[:] = 0
     simulation.radiosity.energy["emitted"] = 0
@@ -54,6 +54,54 @@ def test_what_a_caller_owns_changes_nothing(simulation):
     assert (simulation.factors.factors == before).all()
     assert (simulation.factors.to_scipy().toarray() == before).all()
     assert simulation.radiosity.energy["emitted"] == 2
+
+
+@pytest.mark.parametrize("quantity", ["factor", "lower", "upper", "visibility"])
+def test_sparse_matrices_share_the_arrays_of_the_library(simulation, quantity):
+    matrix, again = simulation.factors.to_scipy(quantity), simulation.factors.to_scipy(quantity)
+    own = simulation.factors.to_scipy(quantity, copy=True)
+    begins, columns, values = simulation.factors.arrays(quantity)
+    for mine, other, told in ((matrix.data, again.data, values), (matrix.indices, again.indices, columns)):
+        assert numpy.shares_memory(mine, other) and numpy.shares_memory(mine, told)
+        assert not numpy.shares_memory(mine, own.data) and not numpy.shares_memory(mine, own.indices)
+    assert (matrix.indptr == begins).all() and matrix.indices.dtype == matrix.indptr.dtype == columns.dtype == numpy.int32
+    assert matrix.has_canonical_format
+    assert (matrix != own).nnz == 0
+
+
+def test_what_is_shared_cannot_be_written(simulation):
+    before = simulation.factors.factors.copy()
+    matrix = simulation.factors.to_scipy()
+    for array in (matrix.data, matrix.indices, *simulation.factors.arrays("upper"), *simulation.factors.arrays()):
+        with pytest.raises(ValueError):
+            array[...] = 0
+        with pytest.raises(ValueError):
+            array.flags.writeable = True
+    with pytest.raises(ValueError):
+        matrix *= 2
+    with pytest.raises(ValueError):
+        matrix[0, matrix.indices[0]] = 7
+    assert (simulation.factors.to_scipy().toarray() == before).all()
+    assert ((2 * matrix).toarray() == 2 * before).all() and ((matrix @ numpy.ones(9)) == before.sum(axis=1)).all()
+
+
+def test_sparse_matrices_outlive_what_they_come_from(square):
+    simulation = hottel.Simulation(hottel.Scene(square), elements=50)
+    matrix, (_, columns, values) = simulation.factors.to_scipy("visibility"), simulation.factors.arrays()
+    wanted = matrix.data.copy(), columns.copy(), values.copy()
+    del simulation
+    gc.collect()
+    others = [hottel.Simulation(hottel.Scene(square), elements=49 + k).factors.to_scipy() for k in range(3)]
+    assert len(others) == 3
+    for array, copy in zip((matrix.data, columns, values), wanted):
+        assert (array == copy).all()
+
+
+def test_a_scene_without_surfaces_has_empty_arrays():
+    factors = hottel.Simulation(hottel.Scene({"dimension": 2, "edges": []})).factors
+    begins, columns, values = factors.arrays()
+    assert begins.tolist() == [0, 0] and columns.shape == values.shape == (0,)
+    assert factors.to_scipy().nnz == 0 and not values.flags.writeable and not columns.flags.writeable
 
 
 def test_a_unit_that_nobody_knows_gives_no_watts(square):

@@ -176,7 +176,8 @@ def test_names_that_there_are_not(simulation):
                 lambda: simulation.factors.index("x"), lambda: simulation.radiosity["x"],
                 lambda: simulation.radiosity.index("sky"), lambda: simulation.factors.to_names("x"),
                 lambda: simulation.exact_form("x", "floor"), lambda: simulation.exact_form("sky", "floor"),
-                lambda: simulation.factors.from_names("x"), lambda: simulation.factors.to_scipy("colour")):
+                lambda: simulation.factors.from_names("x"), lambda: simulation.factors.to_scipy("colour"),
+                lambda: simulation.factors.arrays("colour")):
         with pytest.raises(hottel.UsageError):
             ask()
     for key in ("floor", ("floor",), 3, None, ("a", 1)):
