@@ -56,8 +56,19 @@ bool PythonPoints::is_origin(std::size_t k) const {
   return true;
 }
 
-Rational PythonPoints::at(std::size_t k, std::size_t c) const {
-  return exact_number(values_[k * dimension_ + c], is_binary_);
+void PythonPoints::read(std::size_t k, std::size_t c, Rational& number) const {
+  set_exact_number(values_[k * dimension_ + c], is_binary_, number);
+}
+
+void PythonPoints::read(std::size_t k, Point2& point) const {
+  read(k, 0, point.x);
+  read(k, 1, point.y);
+}
+
+void PythonPoints::read(std::size_t k, Point3& point) const {
+  read(k, 0, point.x);
+  read(k, 1, point.y);
+  read(k, 2, point.z);
 }
 
 }  // namespace hottel::python

@@ -17,20 +17,39 @@ namespace hottel::python {
 
 namespace py = pybind11;
 
+// Leaves what a vector is resized to without a value, for those who then set all of it, on many threads.
+template <class T>
+struct Unset : std::allocator<T> {
+  template <class Other>
+  struct rebind {
+    using other = Unset<Other>;
+  };
+  template <class... Arguments>
+  void construct(T* place, Arguments&&... arguments) {
+    if constexpr (sizeof...(Arguments) == 0)
+      ::new (static_cast<void*>(place)) T;
+    else
+      ::new (static_cast<void*>(place)) T(std::forward<Arguments>(arguments)...);
+  }
+};
+template <class T>
+using UnsetVector = std::vector<T, Unset<T>>;
+
 // Returns an array that owns the values and can never be made writable: its base gives nobody a buffer to write to.
 // REQUIRES as many values as the shape says.
-template <class T>
-py::array frozen(std::vector<T> values, std::vector<py::ssize_t> shape) {
+template <class T, class Allocator>
+py::array frozen(std::vector<T, Allocator> values, std::vector<py::ssize_t> shape) {
+  using Values = std::vector<T, Allocator>;
   values.reserve(1);  // without an address NumPy would take memory of its own
-  auto owned = std::make_unique<std::vector<T>>(std::move(values));
+  auto owned = std::make_unique<Values>(std::move(values));
   const T* const data = owned->data();
-  const py::capsule base(owned.release(), [](void* pointer) { delete static_cast<std::vector<T>*>(pointer); });
+  const py::capsule base(owned.release(), [](void* pointer) { delete static_cast<Values*>(pointer); });
   py::array_t<T> array(std::move(shape), data, base);
   array.attr("flags").attr("writeable") = false;
   return array;
 }
-template <class T>
-py::array frozen(std::vector<T> values) {
+template <class T, class Allocator>
+py::array frozen(std::vector<T, Allocator> values) {
   const auto size = static_cast<py::ssize_t>(values.size());
   return frozen(std::move(values), {size});
 }
@@ -59,13 +78,24 @@ class PythonPoints {
 
   std::size_t size() const { return values_.size() / dimension_; }
   // REQUIRES that dimension, and k < size().
-  Point2 in_plane(std::size_t k) const { return {at(k, 0), at(k, 1)}; }
-  Point3 in_space(std::size_t k) const { return {at(k, 0), at(k, 1), at(k, 2)}; }
+  Point2 in_plane(std::size_t k) const {
+    Point2 point;
+    read(k, point);
+    return point;
+  }
+  Point3 in_space(std::size_t k) const {
+    Point3 point;
+    read(k, point);
+    return point;
+  }
+  // The same into a point that is there, whose memory is used again.
+  void read(std::size_t k, Point2& point) const;
+  void read(std::size_t k, Point3& point) const;
   // Whether all its numbers are 0. REQUIRES k < size().
   bool is_origin(std::size_t k) const;
 
  private:
-  Rational at(std::size_t k, std::size_t c) const;
+  void read(std::size_t k, std::size_t c, Rational& number) const;
 
   std::size_t dimension_;
   bool is_binary_;

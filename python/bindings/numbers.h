@@ -12,8 +12,9 @@ namespace hottel::python {
 
 namespace py = pybind11;
 
-// Returns what a finite double means: its shortest decimal, as in scene files, or with is_binary the double itself.
-Rational exact_number(double value, bool is_binary);
+// Sets a number to what a finite double means: its shortest decimal, as in scene files, or with is_binary the double
+// itself.
+void set_exact_number(double value, bool is_binary, Rational& result);
 
 // Returns how a scene file holds a number of Python: "3", "0.1", "\"1/3\""; nothing for what is none. int, float, str
 // of a number is none here; fractions.Fraction, decimal.Decimal, and NumPy's numbers are. place: of it, for messages.

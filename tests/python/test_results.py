@@ -3,6 +3,7 @@
 import gc
 import math
 import pickle
+import random
 import sys
 import threading
 import types
@@ -219,6 +220,33 @@ def test_a_wall_that_a_point_is_on_is_exactly_there(square):
     on, above = simulation.visible([[1, 0.1]]), simulation.visible([[1, 0.1]], binary=True)
     assert on[0][:, 1].min() == 0  # both sides are seen from a wall
     assert above[0][:, 1].min() > 0.09  # the double nearest to one tenth is above it
+
+
+def test_a_float_is_its_shortest_decimal_at_any_size():
+    generator = random.Random(1)
+    numbers = [generator.choice([-1, 1]) * round(generator.random(), generator.randrange(1, 17)) * 10.0 ** generator.randrange(-12, 22)
+               for _ in range(150)]
+    for number in [*numbers, 0.5, 2.5, 1e-19, 1.5e-19, 3e-300, 123456789.0, 1e22, 5e-324, 0.1, -0.3, 7e15, 1 / 3]:
+        text = repr(number)
+        wall = {"name": "wall", "material": "grey", "points": [[text, -1], [text, 1]]}
+        scene = hottel.Scene({"dimension": 2, "materials": {"grey": {"reflectivity": 0.5}}, "edges": [wall]})
+        simulation = hottel.Simulation(scene)
+        seen = simulation.visible([[number, 0], [numpy.nextafter(number, numpy.inf), 0]])
+        assert set(seen.sides(0)) == {"sky"}, text  # on the wall it is in nobody's way
+        assert set(seen.sides(1)) > {"sky"}, text
+
+
+def test_what_many_points_see_is_what_each_sees():
+    simulation = hottel.Simulation(hottel.read_scene(SCENES / "showcase/apartment.json"), per="face")
+    points = numpy.random.default_rng(1).integers(0, 900, (3000, 2)) / 100
+    seen, met = simulation.visible(points), []
+    for k in range(0, 3000, 7):
+        alone = simulation.visible(points[k:k + 1])
+        assert (alone[0] == seen[k]).all() and alone.sides(0) == seen.sides(k)
+    for name in (seen.names[place] for place in seen.face):
+        if name not in met:
+            met.append(name)
+    assert tuple(met) == seen.names
 
 
 def test_results_are_kept(simulation):
