@@ -15,9 +15,17 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& text) { throw InputError({std::string(kNoFile), 0}, text); }
 
+// The shortest decimal of a double, as Python writes it. (shortest() writes all digits of large whole numbers.)
+std::string decimal_text(double value) {
+  constexpr double kAllWhole = 0x1p53;
+  if (std::abs(value) < kAllWhole) return shortest(value);
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::scientific).ptr};
+}
+
 std::string double_text(double value, bool is_binary, const std::string& place) {
   if (!std::isfinite(value)) refuse(place + " is not a number: " + shortest(value));
-  return is_binary ? '"' + to_string(exact_value(value)) + '"' : shortest(value);
+  return is_binary ? '"' + to_string(exact_value(value)) + '"' : decimal_text(value);
 }
 
 // The digits of an int.
@@ -68,7 +76,7 @@ void set_exact_number(double value, bool is_binary, Rational& result) {
   constexpr int kMost = 19;  // 10^19 is below 2^64
   const auto [whole, exponent] = is_binary || value == 0 ? Decimal{0, 1} : shortest_decimal(value);
   if (exponent > 0 || exponent < -kMost) {
-    result = is_binary ? exact_value(value) : *parse_rational(shortest(value));
+    result = is_binary ? exact_value(value) : *parse_rational(decimal_text(value));
     return;
   }
   // In lowest terms: factors 2 and 5 of 10^-exponent that the whole number has too.
