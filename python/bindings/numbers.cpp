@@ -110,6 +110,14 @@ std::optional<std::string> number_text(const py::handle& value, bool is_binary, 
   return std::nullopt;
 }
 
+py::object int_of(const Integer& number) {
+  return py::reinterpret_steal<py::object>(PyLong_FromString(number.get_str(16).c_str(), nullptr, 16));
+}
+
+py::object fraction_of(const Rational& number) {
+  return py::module_::import("fractions").attr("Fraction")(int_of(number.get_num()), int_of(number.get_den()));
+}
+
 Rational rational_of(const py::handle& value, bool is_binary, const std::string& name) {
   std::string text;
   if (py::isinstance<py::str>(value)) {

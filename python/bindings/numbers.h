@@ -21,6 +21,10 @@ void set_exact_number(double value, bool is_binary, Rational& result);
 // Throws InputError where it is infinite, no number, or longer than a file may hold.
 std::optional<std::string> number_text(const py::handle& value, bool is_binary, const std::string& place);
 
+// Returns an int, and a fractions.Fraction.
+py::object int_of(const Integer& number);
+py::object fraction_of(const Rational& number);
+
 // Returns the exact value of a number of Python, or of a text as scene files have them. Throws InputError as
 // number_text does and for other texts, TypeError for other objects, both naming it.
 Rational rational_of(const py::handle& value, bool is_binary, const std::string& name);
