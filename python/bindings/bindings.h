@@ -27,5 +27,6 @@ void add_plan(py::module_& module);
 void add_judgement(py::module_& module);
 void add_simulation(py::module_& module);
 void add_frames(py::module_& module);
+void add_examples(py::module_& module);  // to the docstrings of all classes
 
 }  // namespace hottel::python

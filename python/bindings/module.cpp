@@ -23,4 +23,5 @@ PYBIND11_MODULE(_core, module) {
   hottel::python::add_judgement(module);
   hottel::python::add_simulation(module);
   hottel::python::add_frames(module);
+  hottel::python::add_examples(module);
 }

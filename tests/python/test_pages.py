@@ -1,7 +1,9 @@
 """What is said of the module is so: the page, the examples, the docstrings and the types."""
 
 import ast
+import doctest
 import inspect
+import io
 import os
 import pathlib
 import re
@@ -55,6 +57,20 @@ def test_every_public_name_is_told():
     assert set(hottel.__all__) == there | {"__version__", "ProgressBar", "SceneBuilder"}
     for name in hottel.__all__:
         assert name == "__version__" or inspect.getdoc(getattr(hottel, name))
+
+
+SHOWN = [name for name in hottel.__all__ if name not in ("__version__", "Error")]  # Error is raised as its kinds
+
+
+@pytest.mark.parametrize("name", SHOWN)
+def test_examples_of_docstrings_give_what_they_show(name, monkeypatch):
+    monkeypatch.chdir(ROOT)
+    doc = inspect.getdoc(getattr(hottel, name))
+    example = doctest.DocTestParser().get_doctest(doc, {"hottel": hottel}, name, None, 0)
+    assert example.examples
+    told = io.StringIO()
+    found = doctest.DocTestRunner(verbose=False).run(example, out=told.write)
+    assert found.failed == 0, told.getvalue()
 
 
 @pytest.mark.parametrize("type_", CLASSES, ids=lambda each: each.__name__)
