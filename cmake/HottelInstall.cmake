@@ -39,3 +39,17 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/tests/install/outside" DESTINATION "${C
         COMPONENT program)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/tests/users" DESTINATION "${CMAKE_INSTALL_DOCDIR}/tests" USE_SOURCE_PERMISSIONS
         COMPONENT program)
+
+# Manual pages, where there is help2man to make them, and what bash completes.
+find_program(HOTTEL_HELP2MAN help2man)
+if(HOTTEL_HELP2MAN)
+  set(pages "${PROJECT_BINARY_DIR}/man")
+  add_custom_command(OUTPUT "${pages}/hottel.1"
+    COMMAND "${CMAKE_COMMAND}" -D "program=$<TARGET_FILE:hottel>" -D "help2man=${HOTTEL_HELP2MAN}" -D "out=${pages}"
+            -P "${PROJECT_SOURCE_DIR}/cmake/ManPages.cmake"
+    DEPENDS hottel "${PROJECT_SOURCE_DIR}/cmake/ManPages.cmake" VERBATIM)
+  add_custom_target(hottel_man ALL DEPENDS "${pages}/hottel.1")
+  install(DIRECTORY "${pages}/" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT program OPTIONAL)
+endif()
+install(FILES "${PROJECT_SOURCE_DIR}/cli/completion/hottel" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions"
+        COMPONENT program)

@@ -1,12 +1,32 @@
 #include "python/bindings/arrays.h"
 
+#include <sys/mman.h>
+
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <new>
 
 #include "kernel/support/failure.h"
 #include "python/bindings/errors.h"
 #include "python/bindings/numbers.h"
 
 namespace hottel::python {
+
+void* take_array(std::size_t bytes) {
+  constexpr std::size_t kLargePage = std::size_t{1} << 21;
+  if (bytes < 2 * kLargePage) {
+    if (void* const memory = std::malloc(std::max<std::size_t>(bytes, 1))) return memory;
+    throw std::bad_alloc();
+  }
+  const std::size_t rounded = (bytes + kLargePage - 1) / kLargePage * kLargePage;
+  void* const memory = rounded < bytes ? nullptr : std::aligned_alloc(kLargePage, rounded);
+  if (memory == nullptr) throw std::bad_alloc();
+  madvise(memory, rounded, MADV_HUGEPAGE);  // a wish: nothing depends on it
+  return memory;
+}
+
+void give_array(void* memory) noexcept { std::free(memory); }
 
 py::tuple tuple_of(const std::vector<std::string>& texts) {
   py::tuple result(texts.size());

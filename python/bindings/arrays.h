@@ -17,6 +17,11 @@ namespace hottel::python {
 
 namespace py = pybind11;
 
+// Memory for large arrays, in large pages where the system has them, as NumPy takes it: small ones cost more than it
+// does to fill them. Throws std::bad_alloc.
+void* take_array(std::size_t bytes);
+void give_array(void* memory) noexcept;
+
 // Leaves what a vector is resized to without a value, for those who then set all of it, on many threads.
 template <class T>
 struct Unset : std::allocator<T> {
@@ -24,6 +29,8 @@ struct Unset : std::allocator<T> {
   struct rebind {
     using other = Unset<Other>;
   };
+  T* allocate(std::size_t count) { return static_cast<T*>(take_array(count * sizeof(T))); }
+  void deallocate(T* memory, std::size_t) noexcept { give_array(memory); }
   template <class... Arguments>
   void construct(T* place, Arguments&&... arguments) {
     if constexpr (sizeof...(Arguments) == 0)

@@ -32,7 +32,11 @@ function(expect package field pattern)
   endif()
   run(dpkg-deb --extract "${file}" "${work}/root")
 endfunction()
-expect(hottel Depends "libcairo2.*libgmp10.*libsdl2" bin/hottel share/doc/hottel/README.md share/doc/hottel/docs/python.md)
+if(EXISTS "${build}/man/hottel.1")  # made where there is help2man
+  set(pages share/man/man1/hottel.1 share/man/man1/hottel-factors.1)
+endif()
+expect(hottel Depends "libcairo2.*libgmp10.*libsdl2" ${pages} bin/hottel share/doc/hottel/README.md
+       share/bash-completion/completions/hottel share/doc/hottel/docs/python.md)
 expect(libhottel-dev Depends "libgmp-dev.*libtbb-dev" lib/libhottel_kernel.a lib/libhottel_viewer.a include/hottel/hottel.h
        lib/cmake/hottel/hottel-config.cmake)
 expect(python3-hottel Depends "python3 \\(>= 3.*python3-numpy.*libgmp10" lib/python3/dist-packages/hottel/__init__.py
