@@ -204,7 +204,7 @@ int run_python(int argc, char** argv) {
     }
   }
   add("program/apartment", [&](benchmark::State& state) { program(state, apartment); });
-  add("program/long/edges:5000", [&](benchmark::State& state) { program(state, many); });
+  add("program/short/edges:1000", [&](benchmark::State& state) { program(state, thousand); });
   add("to_scipy/apartment", [&](benchmark::State& state) { to_scipy(state, apartment); });
   add("to_scipy/long/edges:5000", [&](benchmark::State& state) { to_scipy(state, many); });
   return run(argc, argv);

@@ -34,8 +34,11 @@ PointLightValues light_at_points(const Simulation2& simulation, const PythonPoin
   const PointLights2 lights = point_lights(simulation, progress);
   const Arrangement2& arrangement = lights.prepared().arrangement;
   const PointLocation2 location(arrangement.vertices(), arrangement.triangulation());
-  return lights_of(lights.channel_names().size(), points, progress,
-                   [&](std::size_t k) { return lights.at(location, points.in_plane(k)); });
+  return lights_of(lights.channel_names().size(), points, progress, [&](std::size_t k) {
+    thread_local Point2 point;  // its memory is used again
+    points.read(k, point);
+    return lights.at(location, point);
+  });
 }
 
 PointLightValues light_at_points(const Simulation3& simulation, const PythonPoints& points,
