@@ -100,9 +100,13 @@ std::vector<py::tuple> named(const std::vector<JudgedPair>& pairs, const Exchang
 
 PythonVerdict told(Verdict verdict, std::vector<std::string> sentences, const ExchangeMatrix& exact) {
   PythonVerdict result{{}, {}, named(verdict.worst_unexplained, exact), std::move(sentences)};
-  for (const FoundFault& fault : verdict.findings)
+  const auto kind = [](Fault fault) { return kFaults[static_cast<std::size_t>(fault)]; };
+  for (const FoundFault& fault : verdict.findings) {
+    std::vector<std::string> parts;
+    for (const Fault part : fault.parts) parts.emplace_back(kind(part));
     result.findings.push_back(
-        {kFaults[static_cast<std::size_t>(fault.fault)], fault.words, fault.explained, named(fault.worst, exact)});
+        {kind(fault.fault), fault.words, std::move(parts), fault.explained, named(fault.worst, exact)});
+  }
   result.verdict = std::move(verdict);
   return result;
 }

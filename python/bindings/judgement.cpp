@@ -19,6 +19,9 @@ void add_verdict_class(py::module_& module) {
   py::class_<PythonFault>(module, "Fault", "One thing that is wrong with a matrix of view factors, with its evidence.")
       .def_readonly("kind", &PythonFault::kind,
                     "A stable word, a str: 'transposed', 'constant-factor', 'no-occlusion', ...")
+      .def_property_readonly(
+          "parts", [](const PythonFault& fault) { return tuple_of(fault.parts); },
+          "What was done at once, to every pair: a tuple of words as `kind`, which is the first of them.")
       .def_readonly("words", &PythonFault::words, "One sentence for people, a str.")
       .def_readonly("explained", &PythonFault::explained,
                     "How many pairs are off, and are not once this is allowed for, an int.")

@@ -25,6 +25,7 @@ using AnyComparison = std::variant<MethodComparison2, MethodComparison3>;
 // One fault of a matrix of others, in words, with its evidence by name.
 struct PythonFault {
   std::string kind, words;
+  std::vector<std::string> parts;
   std::uint64_t explained = 0;
   std::vector<py::tuple> worst;
 };

@@ -323,7 +323,7 @@ std::vector<Reading> readings_of(const JudgedScene& scene) {
 }  // namespace
 
 std::optional<Hypothesis> suppose_composed(const JudgedScene& scene, const JudgedPairs& judged,
-                                           const std::vector<double>& unobstructed, bool tries_orders) {
+                                           const std::vector<double>& unobstructed, Orders orders) {
   const bool is_large = judged.exact().size() > kMostApproximated;
   Predictions predictions(scene, judged, unobstructed);
   struct Candidate {
@@ -352,7 +352,7 @@ std::optional<Hypothesis> suppose_composed(const JudgedScene& scene, const Judge
     price = candidate.price();
     told(candidate.reading, candidate.ratio).tell(*best);
   }
-  if (best || !tries_orders || judged.exact().size() > kMostReordered) return best;
+  if (best || orders == Orders::kRight || judged.exact().size() > kMostReordered) return best;
   predictions.ask_for_all_digits();
   for (const Reading& reading : readings_of(scene))
     if (reading.hiding != Hiding::kAllOrNothing && reading.orientation->from_power == 0 &&

@@ -11,6 +11,8 @@
 
 namespace hottel {
 
+enum class Orders : unsigned char { kRight, kAny };
+
 inline constexpr double kLeastShareOfComposed = 0.95;  // of the pairs off, and of all that a reading predicts
 
 // Returns the cheapest reading that applies several faults to every pair, or one that no other hypothesis knows, and
@@ -29,11 +31,11 @@ inline constexpr double kLeastShareOfComposed = 0.95;  // of the pairs off, and 
 //   (3) of readings that explain equally much the one of the lowest price is returned
 //   (4) the sky is no evidence. What goes there agrees with the exact factor, the same times c, 0, or the rest of the
 //       row
-// tries_orders: whether other orders of rows and columns are asked for, which takes longest.
+// orders: kAny asks for other orders of rows and columns too, which takes longest.
 // Beyond kMostApproximated elements only true factors that something hides are asked for. COST: each reading is tried
 // on 2,000 pairs, and on all where these agree.
 std::optional<Hypothesis> suppose_composed(const JudgedScene& scene, const JudgedPairs& judged,
-                                           const std::vector<double>& unobstructed, bool tries_orders);
+                                           const std::vector<double>& unobstructed, Orders orders);
 
 inline constexpr std::size_t kFewestValues = 8;
 

@@ -13,6 +13,7 @@
 namespace hottel {
 namespace {
 
+constexpr double kClear = 100;        // tolerances, from which on a number tells a ratio
 constexpr std::uint64_t kFewest = 3;  // pairs that are no coincidence
 
 // Marks the pairs that agree with what a reading predicts of them.
@@ -47,7 +48,8 @@ Hypothesis scaled_by(double ratio, const JudgedPairs& judged) {
 Hypothesis most_common_ratio(const JudgedPairs& judged, double& ratio) {
   std::vector<const JudgedPair*> large;
   for (const JudgedPair& pair : judged.pairs())
-    if (pair.is_off && pair.exact > 0 && std::abs(pair.value) > judged.tolerance(pair.value)) large.push_back(&pair);
+    if (pair.is_off && pair.exact > 0 && std::abs(pair.value) > kClear * judged.tolerance(pair.value))
+      large.push_back(&pair);
   constexpr std::size_t kTried = 24;
   const std::size_t tried = std::min(kTried, large.size());
   std::partial_sort(large.begin(), large.begin() + static_cast<std::ptrdiff_t>(tried), large.end(),

@@ -39,7 +39,7 @@ Hypothesis suppose_transposed(const JudgedPairs& judged);
 // explains, and the names of named_factors.h; of equally many explained pairs a name is preferred.
 //
 //   (1) a ratio without a name counts only where it explains three different factors
-//   (2) a pair whose exact factor is 0 is not explained
+//   (2) a pair whose exact factor is 0 is not explained; numbers that are 0 but for the tolerance tell no ratio
 Hypothesis suppose_constant_factor(const JudgedPairs& judged);
 // The factors of a row times one ratio other than 0, fitted without the sky. The words tell rows that are normalised
 // and areas that are exchanged apart.

@@ -14,7 +14,29 @@
 
 namespace hottel {
 
-Hypothesis suppose_no_occlusion(const JudgedPairs& judged, const std::vector<double>& unobstructed) {
+namespace {
+
+// Whether some pair would exchange something by its centres, is wholly hidden, and is 0 in the file.
+bool hides_a_pair(const JudgedScene& scene, const JudgedPairs& judged) {
+  const std::uint32_t n = judged.exact().size();
+  for (std::uint32_t i = 0; i < n; ++i) {
+    if (!judged.exact().has_row(i)) continue;
+    const auto row = judged.row(i);
+    auto next = row.begin();
+    for (std::uint32_t j = 0; j < n; ++j) {
+      while (next != row.end() && next->to < j) ++next;
+      const bool is_there = next != row.end() && next->to == j;
+      if (!is_there && judged.has_place(i, j) && scene.factor_by(PointRule::kCenter, i, j) > 2 * judged.tolerance(0))
+        return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+Hypothesis suppose_no_occlusion(const JudgedScene& scene, const JudgedPairs& judged,
+                                const std::vector<double>& unobstructed) {
   Hypothesis result = explains_nothing(Fault::kNoOcclusion, judged);
   std::uint64_t partly = 0, wholly = 0;
   for (const JudgedPair& pair : judged.pairs()) {
@@ -23,7 +45,7 @@ Hypothesis suppose_no_occlusion(const JudgedPairs& judged, const std::vector<dou
     result.explains[k] = 1;
     ++(pair.exact > 0 ? partly : wholly);
   }
-  if (wholly == 0) return explains_nothing(Fault::kNoOcclusion, judged);  // then something does hide: all or nothing
+  if (wholly == 0 && hides_a_pair(scene, judged)) return explains_nothing(Fault::kNoOcclusion, judged);
   result.words = fmt::format(
       "nothing hides anything: factors are those without obstacles ({} of pairs partly hidden, "
       "{} of pairs wholly hidden)",

@@ -15,8 +15,9 @@ inline constexpr double kLeastShareOfMethod = 0.2;
 // judged_scene.h returns them, by place in judged.pairs().
 //
 // Factors of hidden pairs that are those without obstacles. Explains nothing unless a pair that is wholly hidden is
-// among them: else something does hide, and the fault is one of all or nothing.
-Hypothesis suppose_no_occlusion(const JudgedPairs& judged, const std::vector<double>& unobstructed);
+// among them, or no pair is wholly hidden: else something does hide, and the fault is one of all or nothing.
+Hypothesis suppose_no_occlusion(const JudgedScene& scene, const JudgedPairs& judged,
+                                const std::vector<double>& unobstructed);
 // Factors of partly hidden pairs that are those without obstacles, or 0. The sky is left aside.
 Hypothesis suppose_all_or_nothing(const JudgedPairs& judged, const std::vector<double>& unobstructed);
 // Pairs that do not face each other (exact factor and unobstructed one are 0) have a factor, whatever its value. The

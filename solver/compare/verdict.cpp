@@ -64,47 +64,54 @@ void judge_reciprocity(const JudgedPairs& judged, Verdict& verdict) {
   }
 }
 
-// Where no reading by itself explains nearly all, one that applies several faults to every pair takes the place of
-// those of which it explains more. Scatter, and a ratio for each row, agree with much: they are thought of last.
+// Whether some reading explains nearly all. Scatter, and a ratio for each row, agree with much: what applies one rule
+// to all pairs is asked for beside them.
+bool is_explained(const std::vector<Hypothesis>& hypotheses, const JudgedPairs& judged, bool by_orders = true) {
+  return std::any_of(hypotheses.begin(), hypotheses.end(), [&](const Hypothesis& each) {
+    const bool is_order = each.fault == Fault::kPermuted || each.fault == Fault::kRowsPermuted ||
+                          each.fault == Fault::kColumnsPermuted || each.fault == Fault::kShifted;
+    return each.fault != Fault::kRowFactor && (by_orders || !is_order) &&
+           static_cast<double>(each.count()) >= (1 - kLeastShare) * static_cast<double>(judged.off());
+  });
+}
+
+// Adds the reading that applies several faults to every pair, where there is one: it goes before all others.
 void compose(const JudgedScene& scene, const JudgedPairs& judged, const std::vector<double>& unobstructed,
-             std::vector<Hypothesis>& hypotheses) {
-  std::uint64_t most = 0;
-  bool has_scatter = false;
-  for (const Hypothesis& each : hypotheses) {
-    const bool is_scatter = !each.parts.empty() || each.fault == Fault::kSamplingNoise;
-    if (!is_scatter && each.fault != Fault::kRowFactor) most = std::max(most, each.count());
-    has_scatter = has_scatter || (is_scatter && each.count() == judged.off());
-  }
-  const auto off = static_cast<double>(judged.off());
-  if (static_cast<double>(most) >= (1 - kLeastShare) * off) return;
-  auto composed = suppose_composed(scene, judged, unobstructed, !has_scatter);
-  if (composed && static_cast<double>(composed->count()) > static_cast<double>(most) + kLeastShare * off)
+             Orders orders, std::vector<Hypothesis>& hypotheses) {
+  if (auto composed = suppose_composed(scene, judged, unobstructed, orders))
     hypotheses.insert(hypotheses.begin(), std::move(*composed));
 }
 
+// All readings that are worth their time: those that take runs of methods only where no other explains nearly all.
 std::vector<Hypothesis> hypotheses_of(const JudgedScene& scene, const JudgedPairs& judged) {
   const std::vector<double> unobstructed = unobstructed_factors(scene, judged);
   std::vector<Hypothesis> hypotheses;
   hypotheses.push_back(suppose_transposed(judged));
   hypotheses.push_back(suppose_constant_factor(judged));
   hypotheses.push_back(suppose_row_factor(judged));
-  hypotheses.push_back(suppose_reversed(scene, judged));
   hypotheses.push_back(suppose_permuted(judged));
   hypotheses.push_back(suppose_shifted(judged));
   hypotheses.push_back(suppose_rows_permuted(judged));
   hypotheses.push_back(suppose_columns_permuted(judged));
-  hypotheses.push_back(suppose_no_occlusion(judged, unobstructed));
+  hypotheses.push_back(suppose_no_occlusion(scene, judged, unobstructed));
   hypotheses.push_back(suppose_all_or_nothing(judged, unobstructed));
   hypotheses.push_back(suppose_sky_missing(judged));
   hypotheses.push_back(suppose_sky_is_rest(judged));
   hypotheses.push_back(suppose_missing(judged));
-  // It takes runs of methods: not where another reading explains all.
-  if (std::none_of(hypotheses.begin(), hypotheses.end(),
-                   [&](const Hypothesis& each) { return each.count() == judged.off(); }))
-    hypotheses.push_back(suppose_method(scene, judged));
   hypotheses.push_back(suppose_behind(judged, unobstructed));
-  hypotheses.push_back(suppose_scatter(scene, judged, {}, false));
-  compose(scene, judged, unobstructed, hypotheses);
+  if (!is_explained(hypotheses, judged)) compose(scene, judged, unobstructed, Orders::kRight, hypotheses);
+  if (!is_explained(hypotheses, judged)) hypotheses.push_back(suppose_scatter(scene, judged, {}, false));
+  // A face that is turned around may look as if it had changed places with its back.
+  if (!is_explained(hypotheses, judged, false)) hypotheses.push_back(suppose_reversed(scene, judged));
+  if (!is_explained(hypotheses, judged)) hypotheses.push_back(suppose_method(scene, judged));
+  if (!is_explained(hypotheses, judged)) compose(scene, judged, unobstructed, Orders::kAny, hypotheses);
+  // Of readings that explain equally many pairs the one that stands first in Fault is taken, and before these what was
+  // done to all.
+  const auto rank = [](const Hypothesis& each) {
+    return std::pair(each.parts.empty() || each.fault == Fault::kSamplingNoise, each.fault);
+  };
+  std::stable_sort(hypotheses.begin(), hypotheses.end(),
+                   [&](const Hypothesis& a, const Hypothesis& b) { return rank(a) < rank(b); });
   return hypotheses;
 }
 

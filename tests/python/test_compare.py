@@ -68,6 +68,7 @@ def test_a_fault_is_named_with_its_evidence():
     verdict = simulation.compare(wrong(simulation.factors.factors)).verdict
     assert verdict.off == verdict.pairs > 0 and verdict.unexplained == 0 and verdict.rows_off > 0
     fault = verdict.findings[0]
+    assert fault.parts == ("constant-factor",)
     assert fault.kind == "constant-factor" and fault.explained == verdict.off and "1/2" in fault.words
     from_name, to_name, value, exact = fault.worst[0]
     assert value == exact / 2 == simulation.factors[from_name, to_name]["factor"] / 2

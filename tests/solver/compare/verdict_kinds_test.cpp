@@ -114,10 +114,8 @@ struct Kind {
   int rays = 0;  // 0: none
   bool is_uniform = false, is_stratified = false;
   bool is_of_space = false;
-  bool is_a_method = false;  // of hottel's own, which has a name
 
   std::set<Fault> faults() const {
-    if (is_a_method) return {Fault::kMethod};
     std::set<Fault> all;
     if (rule != Rule::kExact) all.insert(Fault::kMethod);
     if (hides == Hides::kNothing) all.insert(Fault::kNoOcclusion);
@@ -228,7 +226,7 @@ std::vector<Kind> kinds() {
       {.name = "all or nothing, pi", .hides = kAllOrNothing, .constant = kPi},
       {.name = "all or nothing, no A_j", .hides = kAllOrNothing, .turned = kNoArea},
       {.name = "centres", .rule = Rule::kCenter},
-      {.name = "centres, all or nothing", .rule = Rule::kCenter, .hides = kAllOrNothing, .is_a_method = true},
+      {.name = "centres, all or nothing", .rule = Rule::kCenter, .hides = kAllOrNothing},
       {.name = "centres, no occlusion", .rule = Rule::kCenter, .hides = kNothing},
       {.name = "centres, pi", .rule = Rule::kCenter, .constant = kPi},
       {.name = "centres, all or nothing, pi", .rule = Rule::kCenter, .hides = kAllOrNothing, .constant = kPi},
