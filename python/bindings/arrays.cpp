@@ -1,12 +1,32 @@
 #include "python/bindings/arrays.h"
 
+#include <sys/mman.h>
+
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <new>
 
 #include "kernel/support/failure.h"
 #include "python/bindings/errors.h"
 #include "python/bindings/numbers.h"
 
 namespace hottel::python {
+
+void* take_array(std::size_t bytes) {
+  constexpr std::size_t kLargePage = std::size_t{1} << 21;
+  if (bytes < 2 * kLargePage) {
+    if (void* const memory = std::malloc(std::max<std::size_t>(bytes, 1))) return memory;
+    throw std::bad_alloc();
+  }
+  const std::size_t rounded = (bytes + kLargePage - 1) / kLargePage * kLargePage;
+  void* const memory = rounded < bytes ? nullptr : std::aligned_alloc(kLargePage, rounded);
+  if (memory == nullptr) throw std::bad_alloc();
+  madvise(memory, rounded, MADV_HUGEPAGE);  // a wish: nothing depends on it
+  return memory;
+}
+
+void give_array(void* memory) noexcept { std::free(memory); }
 
 py::tuple tuple_of(const std::vector<std::string>& texts) {
   py::tuple result(texts.size());
@@ -56,8 +76,19 @@ bool PythonPoints::is_origin(std::size_t k) const {
   return true;
 }
 
-Rational PythonPoints::at(std::size_t k, std::size_t c) const {
-  return exact_number(values_[k * dimension_ + c], is_binary_);
+void PythonPoints::read(std::size_t k, std::size_t c, Rational& number) const {
+  set_exact_number(values_[k * dimension_ + c], is_binary_, number);
+}
+
+void PythonPoints::read(std::size_t k, Point2& point) const {
+  read(k, 0, point.x);
+  read(k, 1, point.y);
+}
+
+void PythonPoints::read(std::size_t k, Point3& point) const {
+  read(k, 0, point.x);
+  read(k, 1, point.y);
+  read(k, 2, point.z);
 }
 
 }  // namespace hottel::python

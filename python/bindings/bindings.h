@@ -21,10 +21,12 @@ void add_visible(py::module_& module);
 void add_visible_map(py::module_& module);
 void add_grid(py::module_& module);
 void add_graph(py::module_& module);
+void add_critical(py::module_& module);
 void add_oriented_light(py::module_& module);
 void add_plan(py::module_& module);
 void add_judgement(py::module_& module);
 void add_simulation(py::module_& module);
 void add_frames(py::module_& module);
+void add_examples(py::module_& module);  // to the docstrings of all classes
 
 }  // namespace hottel::python

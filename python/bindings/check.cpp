@@ -16,6 +16,7 @@
 #include "python/bindings/numbers.h"
 #include "python/bindings/scene.h"
 #include "python/bindings/waiting.h"
+#include "python/bindings/words.h"
 #include "solver/plane/check/scene_repair.h"
 #include "solver/plane/simulation/simulation.h"
 #include "solver/space/check/scene_repair.h"
@@ -143,10 +144,10 @@ void add_finding(py::module_& module) {
           },
           "The line of the scene's file where the first surface stands, an int, or None.")
       .def_property_readonly(
-          "message", [](const PythonFinding& finding) { return finding.told.message; },
+          "message", [](const PythonFinding& finding) { return in_python(finding.told.message); },
           "What was found, a sentence for people, a str.")
       .def_property_readonly(
-          "suggestion", [](const PythonFinding& finding) { return finding.told.suggestion; },
+          "suggestion", [](const PythonFinding& finding) { return in_python(finding.told.suggestion); },
           "What to do about it, a str; empty where there is nothing to say.")
       .def("__repr__", [](const PythonFinding& finding) {
         return std::string("<hottel.Finding ") + to_string(finding.told.severity) + ": " + finding.told.kind + ": " +

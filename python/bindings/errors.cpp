@@ -9,6 +9,7 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
 #include "python/bindings/bindings.h"
+#include "python/bindings/words.h"
 
 namespace hottel::python {
 
@@ -36,15 +37,16 @@ PyObject* new_error(py::module_& module, const char* name, const py::object& bas
 
 py::list list_of(const std::vector<std::string>& hints) {
   py::list list;
-  for (const std::string& hint : hints) list.append(hint);
+  for (const std::string& hint : hints) list.append(in_python(hint));
   return list;
 }
 
 py::object text_or_none(const std::string& text) { return text.empty() ? py::object(py::none()) : py::str(text); }
 
 // Sets a Python error with a message and its hints below it.
-py::object made(PyObject* type, std::string message, const std::vector<std::string>& hints) {
-  for (const std::string& hint : hints) message += "\n  " + hint;
+py::object made(PyObject* type, const std::string& sentence, const std::vector<std::string>& hints) {
+  std::string message = in_python(sentence);
+  for (const std::string& hint : hints) message += "\n  " + in_python(hint);
   py::object error = py::reinterpret_borrow<py::object>(type)(message);
   error.attr("hints") = py::tuple(list_of(hints));
   return error;
@@ -55,7 +57,7 @@ void set_input_error(const InputError& failure) {
   const std::string reason = std::string(failure.what()).substr(where.text().size() + 2);
   const bool has_file = std::filesystem::path(where.file).filename() != kNoFile;
   const py::object error = made(input_error, has_file ? failure.what() : reason, failure.hints());
-  error.attr("reason") = reason;
+  error.attr("reason") = in_python(reason);
   error.attr("surface") = text_or_none(surface_in(reason));
   error.attr("file") = text_or_none(has_file ? where.file : "");
   error.attr("line") = has_file && where.line > 0 ? py::object(py::int_(where.line)) : py::object(py::none());

@@ -1,7 +1,9 @@
 #include "python/bindings/factors.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
+#include <span>
 
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
@@ -46,20 +48,57 @@ const MatrixWithVisibility& PythonFactors::visibility() const {
   return *visibility_;
 }
 
-std::vector<double> PythonFactors::entries(const std::string& quantity) const {
+const std::shared_ptr<const ExchangeMatrix>& PythonFactors::matrix_with(const std::string& quantity) const {
+  return quantity == "visibility" ? visibility().matrix : matrix_;
+}
+
+py::array PythonFactors::entries(const std::string& quantity) const {
   const Take take = taking(quantity);
-  const ExchangeMatrix& matrix = quantity == "visibility" ? *visibility().matrix : *matrix_;
-  std::vector<double> values;
-  values.reserve(matrix.entry_count());
-  for (std::uint32_t i = 0; i < matrix.size(); ++i)
-    for (std::size_t k = 0; k < matrix.row(i).size(); ++k) values.push_back(take(matrix, i, k));
-  return values;
+  const std::shared_ptr<const ExchangeMatrix> matrix = matrix_with(quantity);
+  if (quantity == "factor") return shared(matrix->factors(), matrix);
+  if (quantity == "visibility") return shared(matrix->visibilities(), matrix);
+  const py::str key(quantity);
+  if (!bounds_.contains(key)) {
+    std::vector<double> values;
+    {
+      const py::gil_scoped_release released;
+      values.reserve(matrix->entry_count());
+      for (std::uint32_t i = 0; i < matrix->size(); ++i)
+        for (std::size_t k = 0; k < matrix->row(i).size(); ++k) values.push_back(take(*matrix, i, k));
+    }
+    bounds_[key] = frozen(std::move(values));
+  }
+  return bounds_[key];
+}
+
+namespace {
+
+// The beginnings of rows, with that of the sky's and the end.
+template <class T>
+py::array beginnings(const ExchangeMatrix& matrix) {
+  std::vector<T> result;
+  result.reserve(matrix.begins().size() + 1);
+  for (const std::size_t begin : matrix.begins()) result.push_back(static_cast<T>(begin));
+  result.push_back(static_cast<T>(matrix.entry_count()));
+  return frozen(std::move(result));
+}
+
+}  // namespace
+
+std::pair<py::array, py::array> PythonFactors::places() const {
+  const std::span<const std::uint32_t> columns = matrix_->columns();
+  // A matrix of scipy has one type for both. Columns below 2^31 are the same numbers with a sign.
+  constexpr std::size_t kMost = std::numeric_limits<std::int32_t>::max();
+  if (matrix_->entry_count() <= kMost && matrix_->size() < kMost)
+    return {beginnings<std::int32_t>(*matrix_),
+            shared(std::span(reinterpret_cast<const std::int32_t*>(columns.data()), columns.size()), matrix_)};
+  return {beginnings<std::int64_t>(*matrix_), frozen(std::vector<std::int64_t>(columns.begin(), columns.end()))};
 }
 
 std::vector<double> PythonFactors::dense_values(const std::string& quantity) const {
   const Take take = taking(quantity);
   const bool is_visibility = quantity == "visibility";
-  const ExchangeMatrix& matrix = is_visibility ? *visibility().matrix : *matrix_;
+  const ExchangeMatrix& matrix = *matrix_with(quantity);
   const std::size_t n = matrix.size() + std::size_t{1};
   if (n * n > memory_allowed() / sizeof(double)) throw OutOfMemory("a dense matrix");
   const py::gil_scoped_release released;
@@ -92,24 +131,19 @@ py::array areas_of(const PythonFactors& factors) {
   return frozen(std::move(areas));
 }
 
-// An array that is the caller's.
-template <class T>
-py::array own(const std::vector<T>& values) {
-  return py::array_t<T>(static_cast<py::ssize_t>(values.size()), values.data());
+// Where rows begin, columns, and a quantity.
+py::tuple arrays_of(const PythonFactors& factors, const std::string& quantity) {
+  const py::array values = factors.entries(quantity);
+  const auto [begins, columns] = factors.places();
+  return py::make_tuple(begins, columns, values);
 }
 
-py::object sparse(const PythonFactors& factors, const std::string& quantity) {
-  const ExchangeMatrix& matrix = factors.matrix();
-  std::vector<std::int64_t> begin{0}, columns;
-  columns.reserve(matrix.entry_count());
-  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-    for (const FactorEntry& entry : matrix.row(i)) columns.push_back(entry.to);
-    begin.push_back(static_cast<std::int64_t>(columns.size()));
-  }
-  begin.push_back(begin.back());  // the sky has no row
-  const auto n = static_cast<py::ssize_t>(matrix.size()) + 1;
-  const py::tuple parts = py::make_tuple(own(factors.entries(quantity)), own(columns), own(begin));
-  return py::module_::import("scipy.sparse").attr("csr_matrix")(parts, py::arg("shape") = py::make_tuple(n, n));
+py::object sparse(const PythonFactors& factors, const std::string& quantity, bool copy) {
+  const py::tuple arrays = arrays_of(factors, quantity);
+  const std::size_t n = factors.matrix().size() + std::size_t{1};
+  return py::module_::import("scipy.sparse")
+      .attr("csr_matrix")(py::make_tuple(arrays[2], arrays[1], arrays[0]), py::arg("shape") = py::make_tuple(n, n),
+                          py::arg("copy") = copy);
 }
 
 // The place and the row of a name; UsageError where it has none.
@@ -172,7 +206,7 @@ py::dict columns_of(const PythonFactors& factors) {
   py::dict columns;
   columns["from"] = from;
   columns["to"] = to;
-  for (const char* quantity : {"factor", "lower", "upper"}) columns[quantity] = frozen(factors.entries(quantity));
+  for (const char* quantity : {"factor", "lower", "upper"}) columns[quantity] = factors.entries(quantity);
   columns["guarantee"] = guarantees;
   return columns;
 }
@@ -220,9 +254,17 @@ void add_factors(py::module_& module) {
           "'exact': each factor is the double nearest to the true number. 'enclosed': it is within the tolerance,\n"
           "proven by lower and upper. 'estimated': some only by two rules that agree. The weakest of all pairs.");
   add_arrays(type);
-  type.def("to_scipy", &sparse, py::arg("quantity") = "factor",
+  type.def("to_scipy", &sparse, py::arg("quantity") = "factor", py::kw_only(), py::arg("copy") = false,
            "Returns a scipy.sparse.csr_matrix of shape (n, n) of 'factor', 'lower', 'upper' or 'visibility' of the\n"
-           "pairs that exchange something. It is the caller's own. UsageError for another quantity.")
+           "pairs that exchange something. Its arrays are those of arrays(), without a copy, and read only; with\n"
+           "copy=True they are the caller's own. UsageError for another quantity.")
+      .def("arrays", &arrays_of, py::arg("quantity") = "factor",
+           "Returns (begins, columns, values) of the m pairs that exchange something: those of row i stand from\n"
+           "begins[i] up to begins[i + 1], columns ascending. int32 of shapes (n + 1,) and (m,), float64 of shape "
+           "(m,):\n"
+           "the numbers of the library itself, without a copy. From 2^31 pairs on begins and columns are int64, made\n"
+           "anew. Read only.\n\n"
+           "quantity: as of to_scipy(). UsageError for another one.")
       .def(
           "index",
           [](const PythonFactors& factors, const std::string& name) { return require_element(factors.matrix(), name); },

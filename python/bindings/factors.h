@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
@@ -31,18 +32,22 @@ class PythonFactors {
   bool proves_zeros() const { return proves_zeros_; }
   // "factor", "lower", "upper" or "visibility" of all pairs, rows from, columns to, the sky last.
   py::array dense(const std::string& quantity) const;
-  // The same of those with an entry, in the order of rows.
-  std::vector<double> entries(const std::string& quantity) const;
+  // The same of those with an entry, in the order of rows: the numbers of the matrix itself, or those made of them.
+  py::array entries(const std::string& quantity) const;
+  // Where the entries of each row begin, and their columns, as scipy.sparse takes them; the columns are those of the
+  // matrix itself. The sky has a row without entries.
+  std::pair<py::array, py::array> places() const;
   const MatrixWithVisibility& visibility() const;
 
  private:
+  const std::shared_ptr<const ExchangeMatrix>& matrix_with(const std::string& quantity) const;
   std::vector<double> dense_values(const std::string& quantity) const;
 
   std::shared_ptr<const ExchangeMatrix> matrix_;
   bool proves_zeros_;
   WithVisibility with_visibility_;
   mutable std::optional<MatrixWithVisibility> visibility_;
-  mutable py::dict dense_;  // those that were asked for, by quantity
+  mutable py::dict dense_, bounds_;  // those that were asked for, by quantity
 };
 
 }  // namespace hottel::python

@@ -88,7 +88,10 @@ void add_generate(py::module_& module) {
       "kind: a str, 'room', 'clutter', ..., in space 'room-boxes', 'town', ...; docs/generate.md has all. n: of\n"
       "edges, in space as the kind says. digits: significant ones of every coordinate. view ('short', 'long') "
       "or\nlength: of clutter. k: of lattice. bottoms: whether boxes have faces where they stand. UsageError "
-      "for what\nthere is not, and for what is out of range.");
+      "for what\nthere is not, and for what is out of range.\n\n"
+      ">>> town = hottel.generate(\"town\", n=2, seed=1)\n"
+      ">>> town.dimension, town == hottel.generate(\"town\", n=2, seed=1)\n"
+      "(3, True)\n");
 }
 
 }  // namespace hottel::python

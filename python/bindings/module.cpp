@@ -17,9 +17,11 @@ PYBIND11_MODULE(_core, module) {
   hottel::python::add_visible_map(module);
   hottel::python::add_grid(module);
   hottel::python::add_graph(module);
+  hottel::python::add_critical(module);
   hottel::python::add_oriented_light(module);
   hottel::python::add_plan(module);
   hottel::python::add_judgement(module);
   hottel::python::add_simulation(module);
   hottel::python::add_frames(module);
+  hottel::python::add_examples(module);
 }

@@ -1,6 +1,10 @@
 #include "python/bindings/numbers.h"
 
+#include <algorithm>
+#include <bit>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 
 #include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
@@ -11,9 +15,17 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& text) { throw InputError({std::string(kNoFile), 0}, text); }
 
+// The shortest decimal of a double, as Python writes it. (shortest() writes all digits of large whole numbers.)
+std::string decimal_text(double value) {
+  constexpr double kAllWhole = 0x1p53;
+  if (std::abs(value) < kAllWhole) return shortest(value);
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::scientific).ptr};
+}
+
 std::string double_text(double value, bool is_binary, const std::string& place) {
   if (!std::isfinite(value)) refuse(place + " is not a number: " + shortest(value));
-  return is_binary ? '"' + to_string(exact_value(value)) + '"' : shortest(value);
+  return is_binary ? '"' + to_string(exact_value(value)) + '"' : decimal_text(value);
 }
 
 // The digits of an int.
@@ -32,8 +44,55 @@ bool is_instance(const py::handle& value, const char* module, const char* type) 
 
 }  // namespace
 
-Rational exact_number(double value, bool is_binary) {
-  return is_binary ? exact_value(value) : *parse_rational(shortest(value));
+namespace {
+
+// The shortest decimal of a finite double as whole * 10^exponent.
+struct Decimal {
+  std::uint64_t whole = 0;  // without a sign
+  int exponent = 0;
+};
+Decimal shortest_decimal(double value) {
+  char text[32];
+  const char* const end = std::to_chars(text, text + sizeof text, std::abs(value), std::chars_format::scientific).ptr;
+  Decimal decimal;
+  const char* at = text;
+  int after_point = 0;
+  for (bool is_after = false; *at != 'e'; ++at) {
+    if (*at == '.') {
+      is_after = true;
+      continue;
+    }
+    decimal.whole = 10 * decimal.whole + static_cast<std::uint64_t>(*at - '0');  // at most 17 digits
+    if (is_after) ++after_point;
+  }
+  std::from_chars(at[1] == '+' ? at + 2 : at + 1, end, decimal.exponent);
+  decimal.exponent -= after_point;
+  return decimal;
+}
+
+}  // namespace
+
+void set_exact_number(double value, bool is_binary, Rational& result) {
+  constexpr int kMost = 19;  // 10^19 is below 2^64
+  const auto [whole, exponent] = is_binary || value == 0 ? Decimal{0, 1} : shortest_decimal(value);
+  if (exponent > 0 || exponent < -kMost) {
+    result = is_binary ? exact_value(value) : *parse_rational(decimal_text(value));
+    return;
+  }
+  // In lowest terms: factors 2 and 5 of 10^-exponent that the whole number has too.
+  std::uint64_t above = whole, below = 1;
+  for (int k = 0; k < -exponent; ++k) below *= 10;
+  const int twos = std::min(std::countr_zero(above), -exponent);
+  above >>= twos;
+  below >>= twos;
+  for (int k = 0; k < -exponent && above % 5 == 0; ++k) {
+    above /= 5;
+    below /= 5;
+  }
+  static_assert(sizeof(unsigned long) == sizeof(std::uint64_t));
+  mpz_set_ui(result.get_num_mpz_t(), above);
+  mpz_set_ui(result.get_den_mpz_t(), below);
+  if (value < 0) mpz_neg(result.get_num_mpz_t(), result.get_num_mpz_t());
 }
 
 std::optional<std::string> number_text(const py::handle& value, bool is_binary, const std::string& place) {
@@ -49,6 +108,14 @@ std::optional<std::string> number_text(const py::handle& value, bool is_binary, 
     return '"' + int_text(value, place) + '"';
   }
   return std::nullopt;
+}
+
+py::object int_of(const Integer& number) {
+  return py::reinterpret_steal<py::object>(PyLong_FromString(number.get_str(16).c_str(), nullptr, 16));
+}
+
+py::object fraction_of(const Rational& number) {
+  return py::module_::import("fractions").attr("Fraction")(int_of(number.get_num()), int_of(number.get_den()));
 }
 
 Rational rational_of(const py::handle& value, bool is_binary, const std::string& name) {

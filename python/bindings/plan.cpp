@@ -3,6 +3,7 @@
 #include <string>
 
 #include "python/bindings/bindings.h"
+#include "python/bindings/words.h"
 #include "solver/plan.h"
 
 namespace hottel::python {
@@ -23,11 +24,14 @@ void add_plan(py::module_& module) {
   py::class_<PlannedEffect>(module, "PlannedEffect", "One effect, simulated or not, and why: a line of `hottel plan`.")
       .def_readonly("effect", &PlannedEffect::effect, "What it is called, a str: 'occlusion', 'sky', ...")
       .def_readonly("used", &PlannedEffect::used, "Whether it is simulated, a bool.")
-      .def_readonly("reason", &PlannedEffect::reason, "Why, or why not: a sentence for people, a str.")
+      .def_property_readonly(
+          "reason", [](const PlannedEffect& effect) { return in_python(effect.reason); },
+          "Why, or why not: a sentence for people, a str.")
       .def_readonly("seconds", &PlannedEffect::seconds_estimate,
                     "About what it takes on one core, a float [s]; 0 where it is not used.")
       .def("__repr__", [](const PlannedEffect& effect) {
-        return "<hottel.PlannedEffect " + effect.effect + (effect.used ? ": " : ", not used: ") + effect.reason + ">";
+        return "<hottel.PlannedEffect " + effect.effect + (effect.used ? ": " : ", not used: ") +
+               in_python(effect.reason) + ">";
       });
 }
 

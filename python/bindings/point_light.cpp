@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "geometry/plane/visibility/visibility_polygons.h"
 #include "kernel/support/parallel.h"
+#include "python/bindings/parts.h"
 #include "solver/plane/light/oriented_lights.h"
 #include "solver/plane/light/point_lights.h"
 #include "solver/plane/simulation/questions.h"
@@ -12,21 +12,12 @@
 namespace hottel::python {
 namespace {
 
-// Calls work(first, end) for parts of [0, n), one after the other, and tells of them.
-template <class Work>
-void in_parts(std::size_t n, std::size_t part, const char* stage, const StageProgress& progress, const Work& work) {
-  for (std::size_t first = 0; first < n; first += part) {
-    work(first, std::min(n, first + part));
-    progress(stage, static_cast<double>(std::min(n, first + part)) / static_cast<double>(n));
-  }
-}
-
 // Sets values by light(k) of each point.
 template <class Light>
-PointLightValues lights_of(std::size_t channels, const PythonPoints& points, std::size_t part,
-                           const StageProgress& progress, const Light& light) {
+PointLightValues lights_of(std::size_t channels, const PythonPoints& points, const StageProgress& progress,
+                           const Light& light) {
   PointLightValues result{channels, std::vector<double>(points.size() * channels)};
-  in_parts(points.size(), part, "light at points", progress, [&](std::size_t first, std::size_t end) {
+  in_parts(points.size(), "light at points", progress, [&](std::size_t first, std::size_t end) {
     parallel_for(end - first, [&](std::size_t k) {
       const std::vector<double> found = light(first + k);
       std::copy(found.begin(), found.end(),
@@ -43,8 +34,11 @@ PointLightValues light_at_points(const Simulation2& simulation, const PythonPoin
   const PointLights2 lights = point_lights(simulation, progress);
   const Arrangement2& arrangement = lights.prepared().arrangement;
   const PointLocation2 location(arrangement.vertices(), arrangement.triangulation());
-  return lights_of(lights.channel_names().size(), points, 1024, progress,
-                   [&](std::size_t k) { return lights.at(location, points.in_plane(k)); });
+  return lights_of(lights.channel_names().size(), points, progress, [&](std::size_t k) {
+    thread_local Point2 point;  // its memory is used again
+    points.read(k, point);
+    return lights.at(location, point);
+  });
 }
 
 PointLightValues light_at_points(const Simulation3& simulation, const PythonPoints& points,
@@ -53,7 +47,7 @@ PointLightValues light_at_points(const Simulation3& simulation, const PythonPoin
   const auto prepared = simulation.prepared(progress);
   const OrientedLights3 lights(*prepared, simulation.request().factors.granularity, *solution);
   const Vector3 up{0, 0, 1};  // the mean over all directions is the same whatever way an area looks
-  return lights_of(solution->channel_names.size(), points, 64, progress,
+  return lights_of(solution->channel_names.size(), points, progress,
                    [&](std::size_t k) { return lights.at(points.in_space(k), up).mean_irradiance; });
 }
 
@@ -69,7 +63,7 @@ AreaLightValues area_lights(std::vector<std::string> channel_names, std::size_t 
   for (std::vector<double>* values : {&result.sky_view_factor, &result.mean_radiant_temperature})
     values->resize(points);
   const auto channels = static_cast<std::ptrdiff_t>(result.channels.size());
-  in_parts(points, 64, "light at points", progress, [&](std::size_t first, std::size_t end) {
+  in_parts(points, "light at points", progress, [&](std::size_t first, std::size_t end) {
     parallel_for(end - first, [&](std::size_t k) {
       const std::size_t point = first + k;
       const OrientedLight found = light(point);
@@ -107,18 +101,6 @@ AreaLightValues lights_on(const Simulation3& simulation, const PythonPoints& poi
 AreaLightValues light_on_areas(const AnySimulation& simulation, const PythonPoints& points, const PythonPoints& normals,
                                const StageProgress& progress) {
   return std::visit([&](const auto& each) { return lights_on(each, points, normals, progress); }, simulation);
-}
-
-std::vector<RoundedPolygon2> polygons_of(const PreparedScene2& prepared, const PythonPoints& points,
-                                         const PolygonsOptions2& wanted, const StageProgress& progress) {
-  std::vector<RoundedPolygon2> result;
-  const VisibilityPolygons2 polygons(prepared.arrangement);
-  in_parts(points.size(), 1024, "visibility polygons", progress, [&](std::size_t first, std::size_t end) {
-    std::vector<Point2> eyes;
-    for (std::size_t k = first; k < end; ++k) eyes.push_back(points.in_plane(k));
-    for (RoundedPolygon2& polygon : polygons.all(eyes, wanted)) result.push_back(std::move(polygon));
-  });
-  return result;
 }
 
 }  // namespace hottel::python

@@ -1,10 +1,9 @@
-// What is asked of many points: light, and what they see, in parts that are short enough to be ended between them.
+// Light at many points, in parts that are short enough to be ended between them.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "geometry/plane/visibility/polygons_of_points.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/simulation_options.h"
 #include "solver/plane/simulation/simulation.h"
@@ -36,9 +35,5 @@ struct AreaLightValues {
 // normal that is zero, and what progress throws. REQUIRES as many of both. COST: parallel.
 AreaLightValues light_on_areas(const AnySimulation& simulation, const PythonPoints& points, const PythonPoints& normals,
                                const StageProgress& progress);
-
-// Returns visibility_polygons of the points, and throws what progress throws.
-std::vector<RoundedPolygon2> polygons_of(const PreparedScene2& prepared, const PythonPoints& points,
-                                         const PolygonsOptions2& wanted, const StageProgress& progress);
 
 }  // namespace hottel::python

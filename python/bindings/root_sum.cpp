@@ -15,21 +15,13 @@
 namespace hottel::python {
 namespace {
 
-py::object whole(const Integer& number) {
-  return py::reinterpret_steal<py::object>(PyLong_FromString(number.get_str().c_str(), nullptr, 10));
-}
-
-py::object fraction(const Rational& number) {
-  return py::module_::import("fractions").attr("Fraction")(whole(number.get_num()), whole(number.get_den()));
-}
-
 // Coefficients and radicands, by radicand.
 py::tuple terms_of(const RootSum& sum) {
   std::vector<RootSum::Term> terms = sum.terms();
   std::ranges::sort(terms, {}, &RootSum::Term::radicand);
   py::list result;
   for (const RootSum::Term& term : terms)
-    result.append(py::make_tuple(fraction(term.coefficient), whole(term.radicand)));
+    result.append(py::make_tuple(fraction_of(term.coefficient), int_of(term.radicand)));
   return py::tuple(result);
 }
 
@@ -38,8 +30,8 @@ py::object sympy_of(const RootSum& sum) {
   py::object result = sympy.attr("Integer")(0);
   for (const RootSum::Term& term : sum.terms()) {
     const py::object factor =
-        sympy.attr("Rational")(whole(term.coefficient.get_num()), whole(term.coefficient.get_den()));
-    result = result + factor * sympy.attr("sqrt")(whole(term.radicand));
+        sympy.attr("Rational")(int_of(term.coefficient.get_num()), int_of(term.coefficient.get_den()));
+    result = result + factor * sympy.attr("sqrt")(int_of(term.radicand));
   }
   return result;
 }

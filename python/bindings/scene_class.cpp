@@ -259,7 +259,10 @@ void add_scene(py::module_& module) {
       "meshes (.obj, .ply, .off, .stl) and decks of View3D (.vs3).\n\n"
       "path: str or os.PathLike. triangulate: polygons that are not plane are read as triangles NAME[k]. front:\n"
       "'inside' or 'outside', of the polygons of a map. What is passed over in a file is told by a UserWarning. Throws "
-      "InputError with .file, .line and .reason.");
+      "InputError with .file, .line and .reason.\n\n"
+      ">>> scene = hottel.read_scene(\"scenes/analytic/strip_obstructed.json\")\n"
+      ">>> scene.dimension, scene.names\n"
+      "(2, ('bottom', 'top', 'obstruction'))\n");
 }
 
 }  // namespace hottel::python

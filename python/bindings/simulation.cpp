@@ -194,7 +194,7 @@ py::object PythonSimulation::visible(const py::object& array, const py::object& 
   if (wanted.range && *wanted.range <= 0) throw UsageError("range is a distance above 0");
   return py::cast(PythonVisible(without_lock(options_.waiting, [&](const StageProgress& progress) {
     const auto prepared = in_the_plane().prepared(progress);
-    return visible_lists(*prepared, polygons_of(*prepared, points, wanted, progress));
+    return visible_lists(*prepared, points, wanted, progress);
   })));
 }
 

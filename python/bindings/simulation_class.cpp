@@ -3,6 +3,7 @@
 
 #include "kernel/support/failure.h"
 #include "python/bindings/bindings.h"
+#include "python/bindings/critical.h"
 #include "python/bindings/frames.h"
 #include "python/bindings/graph.h"
 #include "python/bindings/grid.h"
@@ -138,6 +139,7 @@ void add_simulation(py::module_& module) {
   add_root_sum_questions(type);
   add_grid_questions(type);
   add_graph_questions(type);
+  add_critical_questions(type);
   add_oriented_light_questions(type);
   add_picture_questions(type);
   type.def("__repr__", &PythonSimulation::text);

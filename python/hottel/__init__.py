@@ -5,6 +5,8 @@ Errors are InputError, RequestError and UsageError, all of them Error. All array
 """
 
 from hottel._core import (
+    CriticalLines,
+    CriticalPoints,
     Error,
     Factors,
     Fault,
@@ -42,6 +44,8 @@ from hottel.builder import SceneBuilder
 from hottel.progress import ProgressBar
 
 __all__ = [
+    "CriticalLines",
+    "CriticalPoints",
     "Error",
     "Factors",
     "Fault",

@@ -98,6 +98,11 @@ class SceneBuilder:
     SceneBuilder(dimension, *, binary=False). dimension: 2, the plane, or 3, space. Numbers are exact as those of a
     Scene: a float is its shortest decimal, a float of lower precision that of its own, with binary=True the double that
     it is. Every add_ and set_ returns the builder. What is wrong is told by build(), as by Scene(), unless said otherwise.
+
+    >>> builder = hottel.SceneBuilder(2).add_material("grey", reflectivity=0.5)
+    >>> scene = builder.add_polyline("room", [[0, 0], [0, 1], [2, 1], [0, 0]], "grey").build()
+    >>> scene.names
+    ('room[0]', 'room[1]', 'room[2]')
     """
 
     def __init__(self, dimension: Literal[2, 3], *, binary: bool = False) -> None:

@@ -13,6 +13,12 @@ class ProgressBar:
     """A bar for `progress=` of a Simulation: of tqdm where that is installed, else a line of text that is written over.
 
     ProgressBar(file=None). file: where to, standard error where None. A bar may serve any number of simulations.
+
+    >>> import io
+    >>> bar = hottel.ProgressBar(file=io.StringIO())
+    >>> cube = hottel.Simulation(hottel.read_scene("scenes/space/cube.json"), progress=bar)
+    >>> len(cube.factors)
+    13
     """
 
     def __init__(self, file: TextIO | None = None) -> None:

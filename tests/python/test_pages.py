@@ -1,7 +1,10 @@
 """What is said of the module is so: the page, the examples, the docstrings and the types."""
 
 import ast
+import doctest
 import inspect
+import io
+import json
 import os
 import pathlib
 import re
@@ -57,6 +60,47 @@ def test_every_public_name_is_told():
         assert name == "__version__" or inspect.getdoc(getattr(hottel, name))
 
 
+def test_the_notebook_runs_cell_by_cell(monkeypatch, capsys):
+    """As a notebook does: one namespace, in its folder, and what a cell ends with is shown."""
+    path = ROOT / "python/examples/hottel.ipynb"
+    notebook = json.loads(path.read_text())
+    assert (notebook["nbformat"], notebook["nbformat_minor"]) == (4, 5)
+    assert len({cell["id"] for cell in notebook["cells"]}) == len(notebook["cells"])
+    monkeypatch.chdir(path.parent)
+    names, pictures = {"__name__": "__main__"}, 0
+    for cell in notebook["cells"]:
+        if cell["cell_type"] != "code":
+            continue
+        assert cell["outputs"] == [] and cell["execution_count"] is None, cell["id"]
+        body = ast.parse("".join(cell["source"])).body
+        last = body.pop() if isinstance(body[-1], ast.Expr) else None
+        exec(compile(ast.Module(body, []), cell["id"], "exec"), names)
+        shown = eval(compile(ast.Expression(last.value), cell["id"], "eval"), names) if last else None
+        if shown is not None:
+            assert shown._repr_png_().startswith(b"\x89PNG") if hasattr(shown, "pixels") else "<svg" in shown._repr_svg_()
+            pictures += 1
+    assert pictures >= 4
+    told = capsys.readouterr().out
+    for example in EXAMPLES:  # what scripts print, the notebook prints too, but for times
+        done = subprocess.run([sys.executable, example], capture_output=True, text=True, env=os.environ, cwd=ROOT)
+        assert any(line in told for line in done.stdout.splitlines()), example.name
+    assert "(../python/examples/hottel.ipynb)" in PAGE
+
+
+SHOWN = [name for name in hottel.__all__ if name not in ("__version__", "Error")]  # Error is raised as its kinds
+
+
+@pytest.mark.parametrize("name", SHOWN)
+def test_examples_of_docstrings_give_what_they_show(name, monkeypatch):
+    monkeypatch.chdir(ROOT)
+    doc = inspect.getdoc(getattr(hottel, name))
+    example = doctest.DocTestParser().get_doctest(doc, {"hottel": hottel}, name, None, 0)
+    assert example.examples
+    told = io.StringIO()
+    found = doctest.DocTestRunner(verbose=False).run(example, out=told.write)
+    assert found.failed == 0, told.getvalue()
+
+
 @pytest.mark.parametrize("type_", CLASSES, ids=lambda each: each.__name__)
 def test_every_member_has_a_docstring(type_):
     for name, member in vars(type_).items():
@@ -90,7 +134,7 @@ def test_the_stubs_have_the_names_of_the_module():
 
 
 @pytest.mark.parametrize("name", ["Simulation.__init__", "Scene.__init__", "Scene.moved", "Simulation.light",
-                                  "Simulation.visible", "Factors.to_scipy", "Simulation.grid",
+                                  "Simulation.visible", "Factors.to_scipy", "Factors.arrays", "Simulation.grid",
                                   "Simulation.light_on", "Simulation.picture", "Scene.picture", "Scene.fixed",
                                   "Simulation.frames", "Simulation.compare",
                                   "Simulation.compare_grid", "Simulation.compare_radiosities", "Simulation.script_f"])

@@ -3,6 +3,7 @@
 import gc
 import math
 import pickle
+import random
 import sys
 import threading
 import types
@@ -46,7 +47,7 @@ def test_arrays_cannot_be_changed(simulation):
 
 def test_what_a_caller_owns_changes_nothing(simulation):
     before = simulation.factors.factors.copy()
-    matrix = simulation.factors.to_scipy()
+    matrix = simulation.factors.to_scipy(copy=True)
     matrix.data[:] = 0
     matrix.indices[:] = 0
     simulation.radiosity.energy["emitted"] = 0
@@ -54,6 +55,54 @@ def test_what_a_caller_owns_changes_nothing(simulation):
     assert (simulation.factors.factors == before).all()
     assert (simulation.factors.to_scipy().toarray() == before).all()
     assert simulation.radiosity.energy["emitted"] == 2
+
+
+@pytest.mark.parametrize("quantity", ["factor", "lower", "upper", "visibility"])
+def test_sparse_matrices_share_the_arrays_of_the_library(simulation, quantity):
+    matrix, again = simulation.factors.to_scipy(quantity), simulation.factors.to_scipy(quantity)
+    own = simulation.factors.to_scipy(quantity, copy=True)
+    begins, columns, values = simulation.factors.arrays(quantity)
+    for mine, other, told in ((matrix.data, again.data, values), (matrix.indices, again.indices, columns)):
+        assert numpy.shares_memory(mine, other) and numpy.shares_memory(mine, told)
+        assert not numpy.shares_memory(mine, own.data) and not numpy.shares_memory(mine, own.indices)
+    assert (matrix.indptr == begins).all() and matrix.indices.dtype == matrix.indptr.dtype == columns.dtype == numpy.int32
+    assert matrix.has_canonical_format
+    assert (matrix != own).nnz == 0
+
+
+def test_what_is_shared_cannot_be_written(simulation):
+    before = simulation.factors.factors.copy()
+    matrix = simulation.factors.to_scipy()
+    for array in (matrix.data, matrix.indices, *simulation.factors.arrays("upper"), *simulation.factors.arrays()):
+        with pytest.raises(ValueError):
+            array[...] = 0
+        with pytest.raises(ValueError):
+            array.flags.writeable = True
+    with pytest.raises(ValueError):
+        matrix *= 2
+    with pytest.raises(ValueError):
+        matrix[0, matrix.indices[0]] = 7
+    assert (simulation.factors.to_scipy().toarray() == before).all()
+    assert ((2 * matrix).toarray() == 2 * before).all() and ((matrix @ numpy.ones(9)) == before.sum(axis=1)).all()
+
+
+def test_sparse_matrices_outlive_what_they_come_from(square):
+    simulation = hottel.Simulation(hottel.Scene(square), elements=50)
+    matrix, (_, columns, values) = simulation.factors.to_scipy("visibility"), simulation.factors.arrays()
+    wanted = matrix.data.copy(), columns.copy(), values.copy()
+    del simulation
+    gc.collect()
+    others = [hottel.Simulation(hottel.Scene(square), elements=49 + k).factors.to_scipy() for k in range(3)]
+    assert len(others) == 3
+    for array, copy in zip((matrix.data, columns, values), wanted):
+        assert (array == copy).all()
+
+
+def test_a_scene_without_surfaces_has_empty_arrays():
+    factors = hottel.Simulation(hottel.Scene({"dimension": 2, "edges": []})).factors
+    begins, columns, values = factors.arrays()
+    assert begins.tolist() == [0, 0] and columns.shape == values.shape == (0,)
+    assert factors.to_scipy().nnz == 0 and not values.flags.writeable and not columns.flags.writeable
 
 
 def test_a_unit_that_nobody_knows_gives_no_watts(square):
@@ -171,6 +220,33 @@ def test_a_wall_that_a_point_is_on_is_exactly_there(square):
     on, above = simulation.visible([[1, 0.1]]), simulation.visible([[1, 0.1]], binary=True)
     assert on[0][:, 1].min() == 0  # both sides are seen from a wall
     assert above[0][:, 1].min() > 0.09  # the double nearest to one tenth is above it
+
+
+def test_a_float_is_its_shortest_decimal_at_any_size():
+    generator = random.Random(1)
+    numbers = [generator.choice([-1, 1]) * round(generator.random(), generator.randrange(1, 17)) * 10.0 ** generator.randrange(-12, 22)
+               for _ in range(150)]
+    for number in [*numbers, 0.5, 2.5, 1e-19, 1.5e-19, 3e-300, 123456789.0, 1e22, 5e-324, 0.1, -0.3, 7e15, 1 / 3]:
+        text = repr(number)
+        wall = {"name": "wall", "material": "grey", "points": [[text, -1], [text, 1]]}
+        scene = hottel.Scene({"dimension": 2, "materials": {"grey": {"reflectivity": 0.5}}, "edges": [wall]})
+        simulation = hottel.Simulation(scene)
+        seen = simulation.visible([[number, 0], [numpy.nextafter(number, numpy.inf), 0]])
+        assert set(seen.sides(0)) == {"sky"}, text  # on the wall it is in nobody's way
+        assert set(seen.sides(1)) > {"sky"}, text
+
+
+def test_what_many_points_see_is_what_each_sees():
+    simulation = hottel.Simulation(hottel.read_scene(SCENES / "showcase/apartment.json"), per="face")
+    points = numpy.random.default_rng(1).integers(0, 900, (3000, 2)) / 100
+    seen, met = simulation.visible(points), []
+    for k in range(0, 3000, 7):
+        alone = simulation.visible(points[k:k + 1])
+        assert (alone[0] == seen[k]).all() and alone.sides(0) == seen.sides(k)
+    for name in (seen.names[place] for place in seen.face):
+        if name not in met:
+            met.append(name)
+    assert tuple(met) == seen.names
 
 
 def test_results_are_kept(simulation):

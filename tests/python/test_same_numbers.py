@@ -1,5 +1,6 @@
 """The module gives the numbers of the program, bit for bit, and refuses what it refuses, in the same words."""
 
+import fractions
 import json
 import math
 import re
@@ -285,3 +286,44 @@ def test_the_visibility_graph_is_that_of_the_program(scene):
         assert [float(line[each]) for each in ("x0", "y0", "x1", "y1")] == [*graph.vertices[v], *graph.vertices[w]]
         assert line["along"] == (graph.names[along] if along >= 0 else "")
         assert (line["surface0"], line["surface1"]) == (graph.surfaces[v], graph.surfaces[w])
+
+
+PAIRS = [("scenes/analytic/strip_obstructed.json", "bottom", "top"), ("scenes/analytic/strip_obstructed.json", "top", "sky"),
+         ("scenes/analytic/triangle_345.json", "three", "four")]
+
+
+@pytest.mark.parametrize("scene, a, b", PAIRS)
+def test_critical_points_are_those_of_the_program(scene, a, b):
+    _, text, _ = run_program("visibility", scene, "--from", a, "--to", b, "--json")
+    wanted = json.loads(text)["critical_points"]
+    found = hottel.Simulation(hottel.read_scene(scene), elements=2).critical_points(a, b)
+    assert len(found) == len(wanted) and (len(found) > 0) == ("strip" in scene)
+    for k, point in enumerate(wanted):
+        assert same(found.t[k], point["t"]["value"]) and found.exact_t[k] == fractions.Fraction(point["t"]["exact"])
+        assert found.points[k].tolist() == [point["at"]["x"], point["at"]["y"]]
+        assert [[each["x"], each["y"]] for each in point["past"]] == [found.near[k].tolist(), found.far[k].tolist()]
+        assert found.is_jump[k] == (point["kind"] == "D0")
+
+
+def test_critical_points_of_a_contact_are_jumps(square):
+    square["edges"].append({"name": "screen", "material": "grey", "points": [[1, 0], [1, "1/2"]]})
+    found = hottel.Simulation(hottel.Scene(square)).critical_points("floor", "walls[0]")
+    assert found.is_jump.any() and found.is_jump.dtype == bool
+    assert (found.points[found.is_jump] == found.near[found.is_jump]).all()
+
+
+@pytest.mark.parametrize("scene", ["scenes/analytic/strip_obstructed.json", "scenes/degenerate/kettner_a1.json",
+                                   "scenes/showcase/apartment.json"])
+def test_critical_lines_are_those_of_the_program(scene):
+    code, listed, message = run_program("visibility", scene, "--events", "-o", "-")
+    assert code == 0, message
+    lines, found = table_of(listed), hottel.Simulation(hottel.read_scene(scene)).critical_lines()
+    assert len(lines) == len(found) > 0
+    sides = ["behind_left", "behind_right", "ahead_left", "ahead_right"]
+    for k, line in enumerate(lines):
+        assert [float(line[each]) for each in ("x0", "y0", "x1", "y1")] == found.vertices[k].ravel().tolist()
+        ends = [float(line[each] or "nan") for each in ("behind_x", "behind_y", "ahead_x", "ahead_y")]
+        assert all(map(same, ends, found.ends[k].ravel().tolist()))
+        assert line["along"] == found.along[k]
+        assert tuple(line[side] for side in sides) == found.met[k]
+        assert tuple(line[f"from_{side}"] for side in sides) == found.seen[k]

@@ -115,3 +115,10 @@ def test_what_is_passed_over_is_told(tmp_path):
         with pytest.raises(UserWarning):
             hottel.read_scene(tmp_path / "map.wkt")
         hottel.read_scene(SCENES / "drawings/hall.wkt")
+
+
+def test_large_floats_are_their_shortest_decimals_too(square):
+    square["edges"][0]["points"] = [[-4.95435087091941e17, 1e22], [1.2345678901234567e300, 0.1]]
+    told = json.dumps(square)
+    assert hottel.Scene(square) == hottel.Scene(json.loads(told, parse_float=decimal.Decimal))
+    assert hottel.Scene(square) != hottel.Scene(square, binary=True)

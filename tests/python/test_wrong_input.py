@@ -2,6 +2,7 @@
 
 import decimal
 import math
+import re
 
 import numpy
 import pytest
@@ -176,7 +177,8 @@ def test_names_that_there_are_not(simulation):
                 lambda: simulation.factors.index("x"), lambda: simulation.radiosity["x"],
                 lambda: simulation.radiosity.index("sky"), lambda: simulation.factors.to_names("x"),
                 lambda: simulation.exact_form("x", "floor"), lambda: simulation.exact_form("sky", "floor"),
-                lambda: simulation.factors.from_names("x"), lambda: simulation.factors.to_scipy("colour")):
+                lambda: simulation.factors.from_names("x"), lambda: simulation.factors.to_scipy("colour"),
+                lambda: simulation.factors.arrays("colour")):
         with pytest.raises(hottel.UsageError):
             ask()
     for key in ("floor", ("floor",), 3, None, ("a", 1)):
@@ -266,3 +268,45 @@ def test_normals_that_are_none(simulation):
         with pytest.raises(TypeError):
             simulation.light_on(points, normals)
     assert len(simulation.light_on([], [0, 1])) == len(simulation.light_on([], [])) == 0
+
+
+def test_messages_name_arguments_and_no_options_of_the_program(square):
+    coloured = hottel.read_scene(SCENES / "showcase/museum.json")
+    asks = [lambda: hottel.Simulation(coloured).script_f(), lambda: hottel.Simulation(coloured).picture("irradiance", channel="x"),
+            lambda: hottel.Simulation(hottel.Scene(square)).picture("irradiance", channel="r"),
+            lambda: hottel.Simulation(hottel.Scene(square)).picture("irradiance", bar="wide"),
+            lambda: hottel.Simulation(hottel.Scene(square)).picture("temperature"),
+            lambda: hottel.generate("clutter", n=0), lambda: hottel.generate("lattice", n=10, digits=500),
+            lambda: hottel.generate("lattice", n=10, bottoms=False), lambda: hottel.generate("clutter", n=10, length=100)]
+    said = []
+    for ask in asks:
+        with pytest.raises(hottel.Error) as refused:
+            ask()
+        said.append(str(refused.value))
+        assert not re.search(r"(^|\s|`)--[a-z]", said[-1]), said[-1]
+    words = " ".join(said)
+    for word in ("channel", "bar", "show", "digits", "length"):
+        assert word in words
+
+
+def test_plans_and_findings_name_arguments():
+    plan = hottel.Simulation(hottel.read_scene(SCENES / "lights/lighthouse.json")).plan
+    reasons = " ".join(effect.reason + repr(effect) for effect in plan)
+    assert "light_levels" in reasons and "--" not in reasons
+    scene = hottel.read_scene(SCENES / "space/room_six_digits.json")
+    suggestions = " ".join(finding.suggestion for finding in scene.check())
+    assert "fixed(" in suggestions and "--" not in suggestions
+
+
+def test_critical_points_of_what_has_none(simulation):
+    for a, b in (("floor", "nobody"), ("nobody", "floor"), ("sky", "floor")):
+        with pytest.raises(hottel.UsageError):
+            simulation.critical_points(a, b)
+    cube = hottel.Simulation(hottel.read_scene(SCENES / "space/cube.json"))
+    for ask in (cube.critical_lines, lambda: cube.critical_points("floor", "ceiling")):
+        with pytest.raises(hottel.UsageError, match="in the plane"):
+            ask()
+    far = hottel.Scene({"dimension": 2, "materials": {"m": {}}, "edges": [
+        {"name": name, "material": "m", "points": [[0, y], ["1e400", y]]} for name, y in (("a", 0), ("b", 1))]})
+    with pytest.raises(hottel.RequestError, match="range of doubles"):
+        hottel.Simulation(far).critical_lines()

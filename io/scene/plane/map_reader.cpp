@@ -64,7 +64,7 @@ class GeoJsonMap {
             quoted_name(type.text()) + " has no walls",
             {"understood: Polygon, MultiPolygon, LineString, MultiLineString, GeometryCollection, Feature, "
              "FeatureCollection",
-             "points to look from go with: hottel visibility MAP --points FILE"}};
+             "points to look from go with `hottel visibility MAP --points FILE`"}};
   }
   void pass_over_points(const JsonValue& type, std::size_t count) {
     map_.pass_over(PassedKind::kPoint, no_walls(type), count);

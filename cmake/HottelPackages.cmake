@@ -1,0 +1,45 @@
+# What `cpack` makes in the build tree: Debian packages of the program, of the library, and of the Python module.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_VENDOR "hottel")
+set(CPACK_PACKAGE_CONTACT "hottel maintainers <maintainers@hottel.invalid>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL program library)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME hottel)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "The program, its pages and its scenes.")
+
+# Static libraries need at the end what they are made with; which packages have that, tools/setup knows too.
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libhottel-dev)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libgmp-dev, libflint-dev, libtbb-dev, libembree-dev, libfmt-dev, libssl-dev, \
+libcairo2-dev, zlib1g-dev, libpugixml-dev, libsqlite3-dev")
+if(HOTTEL_EGL)
+  string(APPEND CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS ", libegl-dev")
+endif()
+if(NOT Arb_LIBRARY STREQUAL Flint_LIBRARY)  # Arb is no part of FLINT
+  string(APPEND CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS ", libflint-arb-dev")
+endif()
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "cmake, pkg-config")
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "The library for C++: archives, headers and the package for CMake.")
+
+if(HOTTEL_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  get_directory_property(python_major DIRECTORY python DEFINITION Python_VERSION_MAJOR)
+  get_directory_property(python_minor DIRECTORY python DEFINITION Python_VERSION_MINOR)
+  math(EXPR next_minor "${python_minor} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-hottel)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= ${python_major}.${python_minor}~), \
+python3 (<< ${python_major}.${next_minor}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-scipy)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, python3-matplotlib, python3-tqdm")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "The library as a module of Python: import hottel.")
+endif()
+include(CPack)
