@@ -140,6 +140,7 @@ class MatrixOfSums {
       if (with_measures) measures[place] = of_pair_[k].measure;
     });
     matrix.assign(std::move(begin), std::move(entries), std::move(measures), std::move(bounds), std::move(guarantees));
+    if (has_all_rows()) matrix.promise_closed_rows();
     return matrix;
   }
 
@@ -154,6 +155,11 @@ class MatrixOfSums {
     }
   }
   bool has_row(std::uint32_t label) const { return is_chosen_[label] != 0 && table_.has_row(label); }
+  bool has_all_rows() const {
+    for (std::uint32_t label = 0; label < table_.count(); ++label)
+      if (table_.has_row(label) && !has_row(label)) return false;
+    return true;
+  }
 
   const ElementTable3& table_;
   const std::vector<char>& is_chosen_;
