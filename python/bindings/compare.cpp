@@ -42,8 +42,8 @@ using Compared = std::conditional_t<std::is_same_v<Comparison, MethodComparison2
 constexpr std::array kFaults{"transposed",     "constant-factor", "row-factor",       "reversed",     "permuted",
                              "shifted",        "rows-permuted",   "columns-permuted", "no-occlusion", "all-or-nothing",
                              "sky-missing",    "sky-is-rest",     "missing",          "method",       "behind",
-                             "sampling-noise", "systematic"};
-static_assert(kFaults.size() == static_cast<std::size_t>(Fault::kSystematic) + 1);
+                             "sampling-noise", "areas",           "emission"};
+static_assert(kFaults.size() == static_cast<std::size_t>(Fault::kEmission) + 1);
 
 // What is asked of a comparison; of a method its name, of others a matrix.
 struct CompareKeywords {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "kernel/support/failure.h"
@@ -31,6 +33,17 @@ std::vector<ApproximateFactors> approximate_factors_of(const MethodCatalogue<Pre
     }
   }
   return all;
+}
+
+// What JudgedScene::uniform_factors() returns: Sobol rays, some four million in all.
+template <class Prepared>
+ExchangeMatrix uniform_factors_of(const MethodCatalogue<Prepared>& methods, const Prepared& prepared,
+                                  std::uint32_t elements) {
+  std::uint32_t rays = 1U << 16;
+  while (rays > 1U << 10 && std::uint64_t{rays} * elements > 1U << 22) rays /= 2;
+  MethodReport report;
+  return methods.make("rays:" + std::to_string(rays) + ":sobol:uniform")
+      ->compute(prepared, {.granularity = Granularity::kElement, .wants_visibility = false}, report);
 }
 
 }  // namespace hottel

@@ -22,7 +22,8 @@ enum class Fault {
   kMethod,           // what an approximate method of hottel gives
   kBehind,           // light between faces that do not face each other
   kSamplingNoise,    // the scatter of rays, which may lean
-  kSystematic        // errors as of few rays, where many were counted
+  kAreas,            // a factor of areas too many or too few, one for each pair
+  kEmission          // rays that leave by another law than the cosine
 };
 
 }  // namespace hottel

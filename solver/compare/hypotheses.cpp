@@ -172,7 +172,7 @@ std::string row_factor_words(const JudgedPairs& judged, const std::vector<Scaled
   if (const auto pair = exchanged_areas(judged, rows))
     return fmt::format("the areas of {} and {} are exchanged: their rows are divided by each other's area",
                        quoted_name(judged.exact().name(pair->first)), quoted_name(judged.exact().name(pair->second)));
-  bool is_exchange = true, is_one = true;
+  bool is_one = true;
   double least = rows[0].ratio, most = rows[0].ratio;
   for (const ScaledRow& row : rows) {
     double sum = 0, largest = 0;
@@ -182,11 +182,9 @@ std::string row_factor_words(const JudgedPairs& judged, const std::vector<Scaled
     }
     const auto terms = static_cast<double>(judged.row(row.row).size());
     is_one = is_one && std::abs(sum - 1) <= terms * judged.tolerance(largest);
-    is_exchange = is_exchange && std::abs(row.ratio / judged.exact().elements()[row.row].area.value - 1) < 1e-4;
     least = std::min(least, row.ratio);
     most = std::max(most, row.ratio);
   }
-  if (is_exchange) return "these are exchange measures A F, not divided by the area of the face";
   if (is_one)
     return fmt::format(
         "{} rows are normalised: rescaled by {:.4g} to {:.4g}, so that what goes to faces sums to 1 "

@@ -20,6 +20,7 @@ struct Hypothesis {
   Fault fault;
   std::vector<char> explains;  // by place in JudgedPairs::pairs(); only of pairs that are off
   std::string words;
+  std::vector<Fault> parts = {};  // of several faults at once (composed_readings.h); empty: the one
 
   // How many pairs it explains. COST: one pass over them.
   std::uint64_t count() const;
@@ -40,8 +41,8 @@ Hypothesis suppose_transposed(const JudgedPairs& judged);
 //   (1) a ratio without a name counts only where it explains three different factors
 //   (2) a pair whose exact factor is 0 is not explained
 Hypothesis suppose_constant_factor(const JudgedPairs& judged);
-// The factors of a row times one ratio other than 0, fitted without the sky. The words tell rows that are normalised,
-// areas that are exchanged, and exchange measures apart.
+// The factors of a row times one ratio other than 0, fitted without the sky. The words tell rows that are normalised
+// and areas that are exchanged apart.
 //
 //   (1) rows count only where all their factors, the sky's left aside, agree with the ratio
 //   (2) nothing is explained where each such row has only one factor that is off: any number is a multiple of another

@@ -41,6 +41,9 @@ class JudgedPairs {
   // And whether it has one for this pair: some number of its row, and its column.
   bool has_place(std::uint32_t from, std::uint32_t to) const { return written_.has_place(from, to); }
 
+  // The places that there are, without digits: of numbers that were computed from those of the file.
+  WrittenFactors places() const { return {{}, written_.has_column, written_.has_row}; }
+
   // All of them, and those of one row.
   std::span<const JudgedPair> pairs() const { return pairs_; }
   std::span<const JudgedPair> row(std::uint32_t i) const {

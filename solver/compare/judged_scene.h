@@ -19,8 +19,23 @@ struct ApproximateFactors {
 
 inline constexpr std::uint32_t kMostApproximated = 2000;  // elements
 
+// How the factor of two elements may be taken from points of them, whatever stands between.
+enum class PointRule : unsigned char {
+  kCenter,    // cos cos' / (pi r^2) between the centres; in the plane cos cos' / (2 r)
+  kDisk,      // from the centre to a disk of the same area; in space
+  kVertices,  // the mean over all pairs of corners
+  kGauss2,    // the mean over 2 (2 x 2) Gauss points of each
+  kGauss4     // over 4 (4 x 4)
+};
+
+// How two elements lie to each other.
+struct PairPlace {
+  double distance = 0;                    // of their middles [any unit]
+  double from_cosine = 0, to_cosine = 0;  // of the angles between the line of the middles and the normals
+};
+
 // A scene whose factors are judged. Hypotheses that follow from more than the numbers ask it; they know of no
-// dimension. Asked only when some pair is off.
+// dimension. Asked only when some pair is off. For several threads at once.
 class JudgedScene {
  public:
   virtual ~JudgedScene() = default;
@@ -28,16 +43,31 @@ class JudgedScene {
   // The name of a surface, to be printed. REQUIRES an index of Element::surface.
   virtual const std::string& surface_name(std::uint32_t surface) const = 0;
 
-  // Returns F(from, to) without any obstacle, by place in judged.pairs(): of pairs that are off and whose second is not
-  // the sky; 0 for the others.
-  virtual std::vector<double> unobstructed_factors(const JudgedPairs& judged) const = 0;
+  // Returns F(from, to) without any obstacle. REQUIRES two elements of which the first has a row.
+  virtual double unobstructed_factor(std::uint32_t from, std::uint32_t to) const = 0;
+
+  // The rules that there are in the dimension of the scene, and what one gives for F(from, to) without any obstacle.
+  // REQUIRES two elements of which the first has a row.
+  virtual const std::vector<PointRule>& point_rules() const = 0;
+  virtual double factor_by(PointRule rule, std::uint32_t from, std::uint32_t to) const = 0;
+
+  // Nothing where one of them has no extent.
+  virtual std::optional<PairPlace> place_of(std::uint32_t from, std::uint32_t to) const = 0;
 
   // Returns factors of the same elements by methods that are cheap and not exact; none of scenes that are large.
   virtual std::vector<ApproximateFactors> approximate_factors() const = 0;
+
+  // Returns what rays count that leave evenly in all directions, not by the cosine, to about a hundredth of what a
+  // hundred rays scatter.
+  virtual ExchangeMatrix uniform_factors() const = 0;
 
   // Returns the exact factors of the same surfaces when both sides of each have a material, divided as before. Nothing
   // where backs with a material would make claims that the scene cannot grant.
   virtual std::optional<ExchangeMatrix> factors_of_both_sides() const = 0;
 };
+
+// Returns F(from, to) without any obstacle, by place in judged.pairs(): of pairs that are off and whose second is not
+// the sky; 0 for the others. COST: parallel over the pairs.
+std::vector<double> unobstructed_factors(const JudgedScene& scene, const JudgedPairs& judged);
 
 }  // namespace hottel

@@ -19,7 +19,9 @@ constexpr double kFar = 4;         // deviations
 constexpr double kMostFar = 0.02;  // share of pairs
 constexpr double kMostOneSided = 0.75;
 constexpr std::size_t kFewestOfRow = 4;
-constexpr double kRareHits = 0.5;      // expected of pairs that a counter mostly misses
+constexpr double kRareHits = 0.5;  // expected of pairs that a counter mostly misses
+constexpr std::size_t kFewestOfThird = 20;
+constexpr double kMostGrowth = 3;      // of squares from the third of the small factors to that of the large ones
 constexpr double kTooManyRays = 4;     // times as many as the errors tell of
 constexpr double kLogOfChance = 9.21;  // 1e-4
 constexpr double kDeviationsOfScale = 1.5;
@@ -58,7 +60,8 @@ class NoiseFit {
   double rays_of(double scale) const { return spread_ == RaySpread::kEven ? std::pow(scale, 2.0 / 3) : scale; }
 
   bool is_like_noise() const;
-  double counted() const;
+  bool grows_as_scatter() const;
+  bool counts_more() const;
   void explain(std::vector<char>& explains) const;
 
  private:
@@ -92,13 +95,31 @@ bool NoiseFit::is_like_noise() const {
   const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
   std::nth_element(squares.begin(), middle, squares.end());
   const double by_median = kMedianOfSquares / *middle;
-  return by_median < kAgree * scale_ && scale_ < kAgree * by_median;
+  return by_median < kAgree * scale_ && scale_ < kAgree * by_median && grows_as_scatter();
 }
 
-// Rays of which the least factor is one, where these are more than the errors tell of; else 0. Each row has rays of its
-// own: at least as many as the errors of all tell, or twice those of its own.
-double NoiseFit::counted() const {
-  if (is_symmetric(judged_, pairs_)) return 0;  // sums of two counts
+// Errors in proportion to the factors, whatever makes them, are far larger than scatter where factors are large.
+bool NoiseFit::grows_as_scatter() const {
+  std::vector<std::pair<double, double>> squares;  // by factor
+  for (const ScatteredPair& each : pairs_)
+    if (rays() * std::min(each.pair->exact, 1 - each.pair->exact) >= kFewestHits)
+      squares.emplace_back(each.pair->exact, error(each) * error(each) / each.variance);
+  std::sort(squares.begin(), squares.end());
+  const std::size_t third = squares.size() / 3;
+  const auto median = [&](std::size_t begin) {
+    std::vector<double> part;
+    for (std::size_t k = begin; k < begin + third; ++k) part.push_back(squares[k].second);
+    const auto at = part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2);
+    std::nth_element(part.begin(), at, part.end());
+    return *at;
+  };
+  return third < kFewestOfThird || median(squares.size() - third) < kMostGrowth * median(0);
+}
+
+// Whether the least factor, taken for one ray, tells of far more rays than the errors. Each row has rays of its own: at
+// least as many as the errors of all tell, or twice those of its own.
+bool NoiseFit::counts_more() const {
+  if (is_symmetric(judged_, pairs_)) return false;  // sums of two counts
   double least = std::numeric_limits<double>::infinity(), expected = 0, hit = 0, most_rays = rays();
   for (std::size_t begin = 0, end = 0; begin < pairs_.size(); begin = end) {
     double squares = 0, variances = 0;
@@ -119,7 +140,7 @@ double NoiseFit::counted() const {
     most_rays = std::max(most_rays, rays_here);
   }
   const bool is_often_hit = hit - expected > std::sqrt(2 * kLogOfChance * expected) + 2.0 / 3 * kLogOfChance;
-  return is_often_hit && 1 / least > kTooManyRays * most_rays ? 1 / least : 0;
+  return is_often_hit && 1 / least > kTooManyRays * most_rays;
 }
 
 void NoiseFit::explain(std::vector<char>& explains) const {
@@ -137,13 +158,9 @@ std::optional<SamplingNoise> noise_of(const JudgedPairs& judged, const std::vect
   const NoiseFit whole(judged, leave_out, pairs, spread, false), rests(judged, leave_out, pairs, spread, true);
   const bool is_noise = whole.is_like_noise();
   if (!is_noise && !(may_lean && rests.is_like_noise())) return std::nullopt;
-  SamplingNoise noise{whole.rays(),
-                      spread == RaySpread::kEven,
-                      {},
-                      is_noise ? whole.counted() : 0,
-                      std::vector<char>(judged.pairs().size(), 0)};
+  if (is_noise && whole.counts_more()) return std::nullopt;
+  SamplingNoise noise{whole.rays(), spread == RaySpread::kEven, {}, std::vector<char>(judged.pairs().size(), 0)};
   if (is_noise) whole.explain(noise.explains);
-  if (noise.counted > 0) return noise;
   // The median of the rests, less what it may be off; where they are too few, all errors.
   const ScatterScale by_median = scatter_scale(pairs, whole.rays(), kFewestHits);
   const double scale = by_median.scale > 0
@@ -179,21 +196,17 @@ std::optional<SamplingNoise> sampling_noise(const JudgedPairs& judged, const std
   return std::nullopt;
 }
 
+std::string noise_words(const SamplingNoise& noise) {
+  return fmt::format("the errors scatter as about {:.0f} {} rays a face would give, {}", to_two_digits(noise.rays),
+                     noise.is_even ? "evenly spread" : "random",
+                     noise.bias.is_biased() ? "but biased: " + bias_words(noise.bias) : "unbiased");
+}
+
 Hypothesis suppose_sampling_noise(const JudgedPairs& judged, const std::vector<char>& leave_out, bool may_lean) {
   const std::optional<SamplingNoise> noise = sampling_noise(judged, leave_out, may_lean);
   if (!noise) return explains_nothing(Fault::kSamplingNoise, judged);
   Hypothesis result{Fault::kSamplingNoise, noise->explains, ""};
-  if (noise->counted > 0) {
-    result.fault = Fault::kSystematic;
-    result.words = fmt::format(
-        "the errors are too large for chance: factors so small take about {:.0f} rays a face, which scatter {:.2g} "
-        "times less; they come of a rule, as that rays leave by another law than the cosine",
-        to_two_digits(noise->counted), std::sqrt(noise->counted / noise->rays));
-    return result;
-  }
-  result.words = fmt::format("the errors scatter as about {:.0f} {} rays a face would give, {}",
-                             to_two_digits(noise->rays), noise->is_even ? "evenly spread" : "random",
-                             noise->bias.is_biased() ? "but biased: " + bias_words(noise->bias) : "unbiased");
+  result.words = noise_words(*noise);
   return result;
 }
 

@@ -20,7 +20,6 @@ struct SamplingNoise {
   double rays = 0;       // N: from the mean over all pairs; of what leans from the rests (scattered_pairs.h)
   bool is_even = false;  // spread evenly, not at random
   NoiseBias bias;
-  double counted = 0;          // rays a face that the least factor tells of, where they would scatter far less; else 0
   std::vector<char> explains;  // by place in judged.pairs(): off, and within what N rays scatter
 };
 
@@ -35,14 +34,18 @@ struct SamplingNoise {
 //   (3) rays that are spread evenly over places and directions (stratified, Sobol) scatter less, and large factors less
 //       so beside small ones: the variance is taken for sqrt(F (1 - F)) / N^(3/2). It is tried where random rays do not
 //       fit
-//   (4) `counted`: N rays miss most of the faces of which N F is below 1/2, and give the others 1/N. Where many more of
-//       these have hits, and smaller ones, more rays were counted than the errors tell of: they are none of chance
+//   (4) N rays miss most of the faces of which N F is below 1/2, and give the others 1/N. Where many more of these have
+//       hits, and smaller ones, more rays were counted than the errors tell of: they are none of chance, and nothing is
+//       returned
+//   (5) nor is it where errors grow with the factors as those do that are in proportion to them
 // leave_out: by place in judged.pairs(), pairs that do not count; empty: all do. COST: a few passes, and two sorts.
 std::optional<SamplingNoise> sampling_noise(const JudgedPairs& judged, const std::vector<char>& leave_out = {},
                                             bool may_lean = true);
 
-// As a hypothesis; explains nothing where there is no such noise. The words say how many rays, and whether they lean;
-// the fault is kSystematic where more rays were counted.
+// How many rays, and whether they lean.
+std::string noise_words(const SamplingNoise& noise);
+
+// As a hypothesis; explains nothing where there is no such noise. The words are noise_words().
 Hypothesis suppose_sampling_noise(const JudgedPairs& judged, const std::vector<char>& leave_out = {},
                                   bool may_lean = true);
 

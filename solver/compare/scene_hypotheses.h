@@ -11,8 +11,8 @@ namespace hottel {
 
 inline constexpr double kLeastShareOfMethod = 0.2;
 
-// Hypotheses that need more of a scene than its exact matrix. `unobstructed`: as JudgedScene::unobstructed_factors()
-// returns them, by place in judged.pairs().
+// Hypotheses that need more of a scene than its exact matrix. `unobstructed`: as unobstructed_factors() of
+// judged_scene.h returns them, by place in judged.pairs().
 //
 // Factors of hidden pairs that are those without obstacles. Explains nothing unless a pair that is wholly hidden is
 // among them: else something does hide, and the fault is one of all or nothing.

@@ -8,8 +8,9 @@
 
 #include "geometry/name.h"
 #include "kernel/support/counted.h"
+#include "solver/compare/composed_readings.h"
+#include "solver/compare/composed_scatter.h"
 #include "solver/compare/hypotheses.h"
-#include "solver/compare/sampling_noise.h"
 #include "solver/compare/scene_hypotheses.h"
 
 namespace hottel {
@@ -63,8 +64,26 @@ void judge_reciprocity(const JudgedPairs& judged, Verdict& verdict) {
   }
 }
 
+// Where no reading by itself explains nearly all, one that applies several faults to every pair takes the place of
+// those of which it explains more. Scatter, and a ratio for each row, agree with much: they are thought of last.
+void compose(const JudgedScene& scene, const JudgedPairs& judged, const std::vector<double>& unobstructed,
+             std::vector<Hypothesis>& hypotheses) {
+  std::uint64_t most = 0;
+  bool has_scatter = false;
+  for (const Hypothesis& each : hypotheses) {
+    const bool is_scatter = !each.parts.empty() || each.fault == Fault::kSamplingNoise;
+    if (!is_scatter && each.fault != Fault::kRowFactor) most = std::max(most, each.count());
+    has_scatter = has_scatter || (is_scatter && each.count() == judged.off());
+  }
+  const auto off = static_cast<double>(judged.off());
+  if (static_cast<double>(most) >= (1 - kLeastShare) * off) return;
+  auto composed = suppose_composed(scene, judged, unobstructed, !has_scatter);
+  if (composed && static_cast<double>(composed->count()) > static_cast<double>(most) + kLeastShare * off)
+    hypotheses.insert(hypotheses.begin(), std::move(*composed));
+}
+
 std::vector<Hypothesis> hypotheses_of(const JudgedScene& scene, const JudgedPairs& judged) {
-  const std::vector<double> unobstructed = scene.unobstructed_factors(judged);
+  const std::vector<double> unobstructed = unobstructed_factors(scene, judged);
   std::vector<Hypothesis> hypotheses;
   hypotheses.push_back(suppose_transposed(judged));
   hypotheses.push_back(suppose_constant_factor(judged));
@@ -84,13 +103,27 @@ std::vector<Hypothesis> hypotheses_of(const JudgedScene& scene, const JudgedPair
                    [&](const Hypothesis& each) { return each.count() == judged.off(); }))
     hypotheses.push_back(suppose_method(scene, judged));
   hypotheses.push_back(suppose_behind(judged, unobstructed));
-  hypotheses.push_back(suppose_sampling_noise(judged, {}, false));
+  hypotheses.push_back(suppose_scatter(scene, judged, {}, false));
+  compose(scene, judged, unobstructed, hypotheses);
   return hypotheses;
+}
+
+// Readings with numbers that were fitted to few pairs are taken for chance.
+void drop_coincidences(const JudgedPairs& judged, std::vector<Hypothesis>& hypotheses, Verdict& verdict) {
+  for (Hypothesis& each : hypotheses) {
+    const bool is_fitted = each.fault == Fault::kConstantFactor || each.fault == Fault::kRowFactor;
+    const std::uint64_t count = each.count();
+    if (!is_fitted || static_cast<double>(count) >= kLeastShareOfFitted * static_cast<double>(judged.off())) continue;
+    verdict.has_unnamed = verdict.has_unnamed || count > 0;
+    each = explains_nothing(each.fault, judged);
+  }
 }
 
 // Takes the reading that explains most of what is left, again and again, while it explains its share. What is left may
 // scatter as rays do where all pairs together did not, or once shares of rows and columns are taken off.
-void choose_findings(std::vector<Hypothesis> hypotheses, const JudgedPairs& judged, Verdict& verdict) {
+void choose_findings(const JudgedScene& scene, std::vector<Hypothesis> hypotheses, const JudgedPairs& judged,
+                     Verdict& verdict) {
+  drop_coincidences(judged, hypotheses, verdict);
   std::vector<char> is_open(judged.pairs().size(), 0);
   for (const JudgedPair& pair : judged.pairs()) is_open[judged.index_of(pair)] = pair.is_off;
   bool is_scatter_asked = false;
@@ -106,11 +139,12 @@ void choose_findings(std::vector<Hypothesis> hypotheses, const JudgedPairs& judg
       std::vector<char> is_settled(is_open.size(), 0);
       for (const JudgedPair& pair : judged.pairs())
         is_settled[judged.index_of(pair)] = pair.is_off && !is_open[judged.index_of(pair)];
-      hypotheses = {suppose_sampling_noise(judged, is_settled)};
+      hypotheses = {suppose_scatter(scene, judged, is_settled, true)};
       continue;
     }
     for (std::size_t k = 0; k < is_open.size(); ++k) is_open[k] = is_open[k] && !best->explains[k];
-    verdict.findings.push_back({best->fault, best->words, best->count(), worst_of(judged, best->explains)});
+    verdict.findings.push_back({best->fault, best->parts.empty() ? std::vector{best->fault} : best->parts, best->words,
+                                best->count(), worst_of(judged, best->explains)});
     hypotheses.erase(best);
   }
   verdict.unexplained = static_cast<std::uint64_t>(std::count(is_open.begin(), is_open.end(), 1));
@@ -164,7 +198,7 @@ Verdict judge(const JudgedScene& scene, const ExchangeMatrix& exact, const Excha
   for (const JudgedPair& pair : judged.pairs()) verdict.max_error = std::max(verdict.max_error, pair.error());
   judge_laws(judged, verdict);
   judge_reciprocity(judged, verdict);
-  if (verdict.off > 0) choose_findings(hypotheses_of(scene, judged), judged, verdict);
+  if (verdict.off > 0) choose_findings(scene, hypotheses_of(scene, judged), judged, verdict);
   return verdict;
 }
 

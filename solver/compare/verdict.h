@@ -16,7 +16,8 @@ class JudgedScene;
 
 // One fault, with its evidence.
 struct FoundFault {
-  Fault fault;
+  Fault fault;                  // the first of `parts`
+  std::vector<Fault> parts;     // what was done at once, to every pair
   std::string words;            // one sentence
   std::uint64_t explained = 0;  // pairs that are off, and are not once this is allowed for
   std::vector<JudgedPair> worst;
@@ -47,7 +48,8 @@ struct Verdict {
 };
 
 inline constexpr std::size_t kPairsNamed = 5;
-inline constexpr double kLeastShare = 0.02;  // of the pairs off, that a reading explains to be named
+inline constexpr double kLeastShare = 0.02;         // of the pairs off, that a reading explains to be named
+inline constexpr double kLeastShareOfFitted = 0.2;  // the same of one with numbers that were fitted: a ratio, or many
 
 // Holds a matrix against the exact one of a scene (solver/plane/compare/verdict.h takes a prepared scene of the plane).
 //
@@ -56,7 +58,8 @@ inline constexpr double kLeastShare = 0.02;  // of the pairs off, that a reading
 //   (2) findings are readings of the numbers, not proofs: each is backed by the number of pairs it explains, that is,
 //       which agree within `beyond` and the digits left out once it is allowed for
 //   (3) the findings and what is unexplained partition the pairs that are off
-//   (4) a reading is a finding only where it explains kLeastShare of the pairs that are off, or more
+//   (4) a reading is a finding only where it explains kLeastShare of the pairs that are off, or more; a constant or a
+//       ratio for each row kLeastShareOfFitted
 //   (5) the scatter of rays (sampling_noise.h) is a reading like others; where the errors are no such scatter as a
 //       whole, what the others leave is asked again, and may lean then
 // Rows and columns that the file does not have are not judged.

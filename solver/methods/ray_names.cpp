@@ -16,15 +16,13 @@ constexpr std::array<const char*, 3> kSamplings{"", ":stratified", ":sobol"};
 
 [[noreturn]] void refuse(std::string_view variant) {
   throw UsageError("rays" + std::string(variant) + ": expected rays:N, rays:N:stratified or rays:N:sobol, 1 <= N <= " +
-                   std::to_string(kMostRays) + ", and perhaps :seed=S");
+                   std::to_string(kMostRays) + ", and perhaps :uniform and :seed=S, in this order");
 }
 
 }  // namespace
 
-std::string sampling_suffix(Sampling sampling) { return kSamplings[static_cast<std::size_t>(sampling)]; }
-
-RayVariant ray_variant(std::string_view variant) {
-  RayVariant result;
+RayOptions ray_options(std::string_view variant) {
+  RayOptions result;
   const auto number = [variant](std::string_view text) {
     std::uint64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -45,9 +43,25 @@ RayVariant ray_variant(std::string_view variant) {
     if (word != "stratified" && word != "sobol") refuse(variant);
     result.sampling = word == "sobol" ? Sampling::kSobol : Sampling::kStratified;
   }
+  if (rest.starts_with("uniform")) {
+    if (next_word() != "uniform") refuse(variant);
+    result.law = EmissionLaw::kUniform;
+  }
   if (rest.starts_with("seed=")) result.seed = number(next_word().substr(5));
   if (!rest.empty() || variant.ends_with(':')) refuse(variant);
   return result;
+}
+
+MethodInfo ray_method_info(const RayOptions& options, const std::string& reference) {
+  const std::string kind = std::string(kSamplings[static_cast<std::size_t>(options.sampling)]) +
+                           (options.law == EmissionLaw::kUniform ? ":uniform" : "");
+  MethodInfo info{.name = fmt::format("rays:{}{}", options.rays, kind),
+                  .family = "rays" + kind,
+                  .parameter = static_cast<double>(options.rays),
+                  .guarantee = Guarantee::kEstimated,
+                  .reference = reference};
+  if (options.seed != RayOptions().seed) info.name += fmt::format(":seed={}", options.seed);
+  return info;
 }
 
 std::vector<std::string> rays_sweep() {

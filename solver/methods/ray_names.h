@@ -2,29 +2,37 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
+#include "solver/compare/method_report.h"
 #include "solver/methods/ray_samples.h"
 
 namespace hottel {
 
-inline constexpr const char* kRaysPattern = "rays:N[:stratified|:sobol][:seed=S]";
+inline constexpr const char* kRaysPattern = "rays:N[:stratified|:sobol][:uniform][:seed=S]";
 
-// "", ":stratified" or ":sobol".
-std::string sampling_suffix(Sampling sampling);
+// How rays are spread over the directions before an element.
+//
+//   kCosine   by the cosine to the normal: what a diffuse face emits, and what view factors count
+//   kUniform  evenly over all directions: a mistake that is made, here to be recognised (docs/design/verdict.md)
+enum class EmissionLaw : unsigned char { kCosine, kUniform };
 
-// What follows "rays".
-struct RayVariant {
+// The rays of a method.
+struct RayOptions {
   Sampling sampling = Sampling::kIndependent;
-  std::uint64_t rays = 1;
-  std::optional<std::uint64_t> seed;
+  EmissionLaw law = EmissionLaw::kCosine;
+  std::uint64_t rays = 1;  // REQUIRES 1 <= rays <= kMostRays
+  std::uint64_t seed = 1;
 };
-// Throws UsageError for what is no such variant.
-RayVariant ray_variant(std::string_view variant);
+
+// Returns what follows "rays". Throws UsageError for what is no such variant.
+RayOptions ray_options(std::string_view variant);
+
+// What a method with these rays says of itself: its name holds what differs from the defaults.
+MethodInfo ray_method_info(const RayOptions& options, const std::string& reference);
 
 // rays:64 to rays:65536, in all samplings.
 std::vector<std::string> rays_sweep();

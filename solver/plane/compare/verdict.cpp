@@ -10,15 +10,16 @@
 #include "geometry/plane/prepared/element_table.h"
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/parallel.h"
 #include "solver/compare/approximate_factors.h"
 #include "solver/compare/judged_scene.h"
+#include "solver/methods/gauss_rule.h"
+#include "solver/methods/vertex_variant.h"
+#include "solver/plane/methods/cosine_kernel.h"
+#include "solver/plane/methods/element_geometry.h"
 #include "solver/plane/methods/method_catalogue.h"
 
 namespace hottel {
 namespace {
-
-constexpr std::size_t kPairsATask = 256;
 
 class JudgedScene2 final : public JudgedScene {
  public:
@@ -28,23 +29,34 @@ class JudgedScene2 final : public JudgedScene {
     return prepared_.scene.surfaces[surface].name;
   }
 
-  std::vector<double> unobstructed_factors(const JudgedPairs& judged) const override {
-    const ElementTable2& table = *prepared_.elements(Granularity::kElement);
-    const PairsAlone2 alone(prepared_, table, Granularity::kElement);
-    std::vector<double> result(judged.pairs().size(), 0);
-    parallel_for(
-        result.size(),
-        [&](std::size_t k) {
-          const JudgedPair& pair = judged.pairs()[k];
-          if (!pair.is_off || pair.to == table.sky()) return;
-          result[k] = pair.exact > 0 ? pair.exact / pair.visibility : alone.factor(pair.from, pair.to);
-        },
-        kPairsATask);
-    return result;
+  double unobstructed_factor(std::uint32_t from, std::uint32_t to) const override { return alone_.factor(from, to); }
+
+  const std::vector<PointRule>& point_rules() const override {
+    static const std::vector rules{PointRule::kCenter, PointRule::kVertices, PointRule::kGauss2, PointRule::kGauss4};
+    return rules;
+  }
+  double factor_by(PointRule rule, std::uint32_t from, std::uint32_t to) const override {
+    double measure = 0;
+    for (const ElementRun2& a : geometry_.runs(from))
+      for (const ElementRun2& b : geometry_.runs(to)) measure += a.length * b.length * mean_kernel(rule, a, b);
+    return measure / geometry_.length(from);
+  }
+
+  std::optional<PairPlace> place_of(std::uint32_t from, std::uint32_t to) const override {
+    if (geometry_.runs(from).empty() || geometry_.runs(to).empty()) return std::nullopt;
+    const ElementRun2 &a = geometry_.runs(from).front(), &b = geometry_.runs(to).front();
+    const LocalVector2 d = b.centre - a.centre;
+    const double r = length(d);
+    if (!(r > 0)) return PairPlace{};
+    return PairPlace{r, dot(a.normal(), d) / r, -dot(b.normal(), d) / r};
   }
 
   std::vector<ApproximateFactors> approximate_factors() const override {
     return approximate_factors_of(methods_2(), prepared_);
+  }
+
+  ExchangeMatrix uniform_factors() const override {
+    return uniform_factors_of(methods_2(), prepared_, geometry_.count());
   }
 
   std::optional<ExchangeMatrix> factors_of_both_sides() const override {
@@ -65,7 +77,22 @@ class JudgedScene2 final : public JudgedScene {
   }
 
  private:
+  double mean_kernel(PointRule rule, const ElementRun2& a, const ElementRun2& b) const {
+    if (rule == PointRule::kCenter) return between_centres(a, b);
+    if (rule == PointRule::kVertices) return mean_over_ends(a, b, kNearestVertices * geometry_.diagonal() / 2);
+    const GaussRule& points = rule == PointRule::kGauss2 ? two_points_ : four_points_;
+    double mean = 0;
+    for (std::size_t k = 0; k < points.place.size(); ++k)
+      for (std::size_t l = 0; l < points.place.size(); ++l)
+        mean += points.weight[k] * points.weight[l] *
+                cosine_kernel(a.at(points.place[k]), a.normal(), b.at(points.place[l]), b.normal());
+    return mean;
+  }
+
   const PreparedScene2& prepared_;
+  PairsAlone2 alone_{prepared_, *prepared_.elements(Granularity::kElement), Granularity::kElement};
+  ElementGeometry2 geometry_{prepared_};
+  GaussRule two_points_ = gauss_rule(2), four_points_ = gauss_rule(4);
 };
 
 }  // namespace

@@ -25,4 +25,13 @@ inline double between_centres(const ElementRun2& a, const ElementRun2& b) {
   return cosine_kernel(a.centre, a.normal(), b.centre, b.normal());
 }
 
+// The mean of the cosine kernel over the four pairs of ends that are not nearer than `nearest`.
+inline double mean_over_ends(const ElementRun2& a, const ElementRun2& b, double nearest) {
+  double sum = 0;
+  for (const LocalPoint2* const x : {&a.from, &a.to})
+    for (const LocalPoint2* const y : {&b.from, &b.to})
+      if (!(length(*y - *x) < nearest)) sum += cosine_kernel(*x, a.normal(), *y, b.normal());
+  return sum / 4;
+}
+
 }  // namespace hottel

@@ -1,4 +1,4 @@
-// rays:N, rays:N:stratified, rays:N:sobol, each with :seed=S.
+// rays:N, rays:N:stratified, rays:N:sobol, each with :uniform and :seed=S.
 // GUARANTEE: estimated.
 // REFERENCE: J. R. Howell, The Monte Carlo method in radiative heat transfer, 1998; A. B. Owen, Monte Carlo variance of
 // scrambled net quadrature, 1997.
@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/plane/visibility/first_hit.h"
 #include "kernel/support/failure.h"
@@ -72,21 +73,21 @@ class RayStarts {
 
 class Rays2 final : public ElementMethod2 {
  public:
-  explicit Rays2(const RayOptions2& options) : options_(options) {
-    const std::string sampling = sampling_suffix(options.sampling);
-    info_.name = fmt::format("rays:{}{}", options.rays, sampling);
-    if (options.seed != RayOptions2().seed) info_.name += fmt::format(":seed={}", options.seed);
-    info_.family = "rays" + sampling;
-    info_.parameter = static_cast<double>(options.rays);
-    info_.reference = kReference;
-  }
+  explicit Rays2(const RayOptions& options) : options_(options), info_(ray_method_info(options, kReference)) {}
   const MethodInfo& info() const override { return info_; }
   std::optional<double> declared_error(const PreparedScene2& prepared) const override;
   ExchangeMatrix compute_elements(const PreparedScene2& prepared, const std::function<void(double)>& progress,
                                   MethodReport& report) const override;
 
  private:
-  RayOptions2 options_;
+  // The sine and the cosine of the angle to the normal.
+  LocalVector2 direction(double turn) const {
+    if (options_.law == EmissionLaw::kCosine) return {2 * turn - 1, 2 * std::sqrt(turn * (1 - turn))};
+    const double angle = std::numbers::pi * (turn - 0.5);
+    return {std::sin(angle), std::cos(angle)};
+  }
+
+  RayOptions options_;
   MethodInfo info_;
 };
 
@@ -100,10 +101,10 @@ ExchangeMatrix Rays2::compute_elements(const PreparedScene2& prepared, const std
   const FillRow shoot = [&](std::uint32_t from, RowSums& by) {
     const LocalVector2 along = geometry.runs(from).front().direction, up = geometry.runs(from).front().normal();
     samples.for_each(from, [&](const RaySamples::Point& point) {
-      const double sine = 2 * point.turn - 1, cosine = 2 * std::sqrt(point.turn * (1 - point.turn));
+      const LocalVector2 way = direction(point.turn);
       PieceRay2 ray = starts.at(from, point.position);
-      ray.dx = sine * along.x + cosine * up.x;
-      ray.dy = sine * along.y + cosine * up.y;
+      ray.dx = way.x * along.x + way.y * up.x;
+      ray.dy = way.x * along.y + way.y * up.y;
       by.add(geometry.table().of(first_hit(ray)), 1);
     });
     by.divide_by(n);
@@ -118,6 +119,7 @@ ExchangeMatrix Rays2::compute_elements(const PreparedScene2& prepared, const std
 }
 
 std::optional<double> Rays2::declared_error(const PreparedScene2& prepared) const {
+  if (options_.law != EmissionLaw::kCosine) return std::nullopt;
   const ElementGeometry2 geometry(prepared);
   for (std::uint32_t i = 0; i < geometry.count(); ++i)
     if (geometry.has_row(i) && !geometry.is_whole(i)) return std::nullopt;
@@ -133,7 +135,7 @@ std::optional<double> Rays2::declared_error(const PreparedScene2& prepared) cons
 
 }  // namespace
 
-std::unique_ptr<ExchangeMethod2> rays_method_2(const RayOptions2& options) {
+std::unique_ptr<ExchangeMethod2> rays_method_2(const RayOptions& options) {
   HOTTEL_REQUIRE(options.rays >= 1 && options.rays <= kMostRays);
   return std::make_unique<Rays2>(options);
 }
@@ -145,10 +147,7 @@ MethodFamily2 rays_family_2() {
           .reference = kReference,
           .guarantee = Guarantee::kEstimated,
           .sweep = rays_sweep(),
-          .make = [](std::string_view variant) {
-            const RayVariant read = ray_variant(variant);
-            return rays_method_2({.sampling = read.sampling, .rays = read.rays, .seed = read.seed.value_or(1)});
-          }};
+          .make = [](std::string_view variant) { return rays_method_2(ray_options(variant)); }};
 }
 
 }  // namespace hottel

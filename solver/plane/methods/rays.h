@@ -1,10 +1,9 @@
 // Monte Carlo: rays.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 
-#include "solver/methods/ray_samples.h"
+#include "solver/methods/ray_names.h"
 #include "solver/plane/methods/exchange_method.h"
 
 namespace hottel {
@@ -21,14 +20,11 @@ namespace hottel {
 // probability of five standard deviations (Hoeffding's inequality, for all pairs together). With stratified and Sobol
 // rays the border of what is seen runs through few of the parts that hold one ray each: a bound without any chance,
 // for scenes of few vertices.
-struct RayOptions2 {
-  Sampling sampling = Sampling::kIndependent;
-  std::uint64_t rays = 1;  // REQUIRES 1 <= rays <= kMostRays
-  std::uint64_t seed = 1;
-};
-
+//
+// Rays by EmissionLaw::kUniform count no view factors, and nothing is claimed of them.
+//
 // Returns the method, whose report notes the seed. Throws ContractViolation for a number of rays that is out of range.
 // COST: n rays for each element, in parallel.
-std::unique_ptr<ExchangeMethod2> rays_method_2(const RayOptions2& options);
+std::unique_ptr<ExchangeMethod2> rays_method_2(const RayOptions& options);
 
 }  // namespace hottel

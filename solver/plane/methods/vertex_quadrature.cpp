@@ -26,15 +26,6 @@ namespace {
 
 constexpr const char* kReference = "trapezoid rule on both elements, visibility 0 or 1";
 
-// Sum of cos cos' / (2 r) over the four pairs of ends.
-double sum_over_ends(const ElementRun2& a, const ElementRun2& b, double nearest) {
-  double sum = 0;
-  for (const LocalPoint2& x : {a.from, a.to})
-    for (const LocalPoint2& y : {b.from, b.to})
-      if (!(length(y - x) < nearest)) sum += cosine_kernel(x, a.normal(), y, b.normal());
-  return sum;
-}
-
 class VertexQuadrature2 final : public PairMethod2 {
  public:
   explicit VertexQuadrature2(const VertexVariant& variant)
@@ -44,13 +35,13 @@ class VertexQuadrature2 final : public PairMethod2 {
 
  protected:
   Pairs pairs(const PreparedScene2& prepared, const ElementGeometry2& geometry) const override {
-    const double weight = variant_.is_literal ? 0.5 : 0.25, nearest = nearest_of(geometry);
+    const double weight = variant_.is_literal ? 2 : 1, nearest = nearest_of(geometry);
     if (variant_.tests_centres) {
       const auto centres = std::make_shared<const RunPoints2>(prepared, geometry, std::vector{Rational(1, 2)});
       const auto factors = [&geometry, weight, nearest, centres](std::uint32_t i, std::uint32_t j) {
         return sum_over_runs(geometry, i, j, [&](const ElementRun2& a, const ElementRun2& b) {
-          const double sum = sum_over_ends(a, b, nearest);
-          return sum > 0 && centres->see_each_other(a, 0, b, 0) ? weight * a.length * b.length * sum : 0;
+          const double mean = mean_over_ends(a, b, nearest);
+          return mean > 0 && centres->see_each_other(a, 0, b, 0) ? weight * a.length * b.length * mean : 0;
         });
       };
       return {partners_of(centres), factors};
@@ -58,7 +49,7 @@ class VertexQuadrature2 final : public PairMethod2 {
     const auto visibility = exact_visibility_2(prepared);
     const auto factors = [&geometry, weight, nearest](std::uint32_t i, std::uint32_t j) {
       return sum_over_runs(geometry, i, j, [&](const ElementRun2& a, const ElementRun2& b) {
-        return weight * a.length * b.length * sum_over_ends(a, b, nearest);
+        return weight * a.length * b.length * mean_over_ends(a, b, nearest);
       });
     };
     return {partners_of(visibility), factors};

@@ -11,15 +11,19 @@
 #include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/unobstructed/unobstructed.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/parallel.h"
 #include "solver/compare/approximate_factors.h"
 #include "solver/compare/judged_scene.h"
+#include "solver/methods/gauss_rule.h"
+#include "solver/methods/vertex_variant.h"
+#include "solver/space/methods/cosine_kernel.h"
+#include "solver/space/methods/element_geometry.h"
 #include "solver/space/methods/method_catalogue.h"
+#include "solver/space/methods/patch_rule.h"
+#include "solver/space/methods/segment_visibility.h"
 
 namespace hottel {
 namespace {
 
-constexpr std::size_t kPairsATask = 64;
 constexpr double kTolerance = 1e-9;
 
 class JudgedScene3 final : public JudgedScene {
@@ -30,22 +34,45 @@ class JudgedScene3 final : public JudgedScene {
     return prepared_.scene.surfaces[surface].name;
   }
 
-  std::vector<double> unobstructed_factors(const JudgedPairs& judged) const override {
-    const ElementTable3& table = *prepared_.elements(Granularity::kElement);
-    std::vector<double> result(judged.pairs().size(), 0);
-    parallel_for(
-        result.size(),
-        [&](std::size_t k) {
-          const JudgedPair& pair = judged.pairs()[k];
-          if (!pair.is_off || pair.to == table.sky()) return;
-          result[k] = pair.exact > 0 ? pair.exact / pair.visibility : alone(table, pair.from, pair.to);
-        },
-        kPairsATask);
-    return result;
+  double unobstructed_factor(std::uint32_t from, std::uint32_t to) const override {
+    const Blockers3& blockers = prepared_.blockers();
+    const ElementTable3& table = geometry_.table();
+    double measure = 0;
+    for (const ElementTable3::Part& a : table.parts(from))
+      for (const ElementTable3::Part& b : table.free_parts(to))
+        if (face_each_other(blockers, a, b))
+          measure += unobstructed_measure(blockers.vertices(), a.patch, b.patch, kTolerance).measure;
+    return measure / table.extent(from).value;
+  }
+
+  const std::vector<PointRule>& point_rules() const override {
+    static const std::vector rules{PointRule::kCenter, PointRule::kDisk, PointRule::kVertices, PointRule::kGauss2,
+                                   PointRule::kGauss4};
+    return rules;
+  }
+  double factor_by(PointRule rule, std::uint32_t from, std::uint32_t to) const override {
+    double factor = 0;
+    for (const ElementPatch3& a : geometry_.patches(from))
+      for (const ElementPatch3& b : geometry_.patches(to))
+        if (a.piece != b.piece) factor += a.share * factor_of_patches(rule, a, b);
+    return factor;
+  }
+
+  std::optional<PairPlace> place_of(std::uint32_t from, std::uint32_t to) const override {
+    if (geometry_.patches(from).empty() || geometry_.patches(to).empty()) return std::nullopt;
+    const ElementPatch3 &a = geometry_.patches(from).front(), &b = geometry_.patches(to).front();
+    const Vector3d d = b.centre - a.centre;
+    const double r = length(d);
+    if (!(r > 0)) return PairPlace{};
+    return PairPlace{r, dot(a.normal, d) / r, -dot(b.normal, d) / r};
   }
 
   std::vector<ApproximateFactors> approximate_factors() const override {
     return approximate_factors_of(methods_3(), prepared_);
+  }
+
+  ExchangeMatrix uniform_factors() const override {
+    return uniform_factors_of(methods_3(), prepared_, geometry_.count());
   }
 
   std::optional<ExchangeMatrix> factors_of_both_sides() const override {
@@ -63,18 +90,38 @@ class JudgedScene3 final : public JudgedScene {
   }
 
  private:
-  // With all other surfaces taken away.
-  double alone(const ElementTable3& table, std::uint32_t from, std::uint32_t to) const {
-    const Blockers3& blockers = prepared_.blockers();
-    double measure = 0;
-    for (const ElementTable3::Part& a : table.parts(from))
-      for (const ElementTable3::Part& b : table.free_parts(to))
-        if (face_each_other(blockers, a, b))
-          measure += unobstructed_measure(blockers.vertices(), a.patch, b.patch, kTolerance).measure;
-    return measure / table.extent(from).value;
+  double factor_of_patches(PointRule rule, const ElementPatch3& a, const ElementPatch3& b) const {
+    switch (rule) {
+      case PointRule::kDisk:
+        return factor_of_disk(a, b);
+      case PointRule::kVertices:
+        return b.area * mean_over_corners(a, b, nearest_vertices_);
+      case PointRule::kGauss2:
+      case PointRule::kGauss4: {
+        const auto& points = rule == PointRule::kGauss2 ? two_points_ : four_points_;
+        double mean = 0;
+        for (const RulePoint3& x : points[geometry_.number_of(a)])
+          for (const RulePoint3& y : points[geometry_.number_of(b)])
+            mean += x.weight * y.weight * cosine_kernel(x.at, a.normal, y.at, b.normal);
+        return b.area * mean;
+      }
+      case PointRule::kCenter:
+        break;
+    }
+    return b.area * between_centres(a, b);
+  }
+  std::vector<std::vector<RulePoint3>> points_of_patches(int n) const {
+    const GaussRule rule = gauss_rule(n);
+    std::vector<std::vector<RulePoint3>> points;
+    for (const ElementPatch3& patch : geometry_.all_patches()) points.push_back(rule_points(patch, rule));
+    return points;
   }
 
   const PreparedScene3& prepared_;
+  ElementGeometry3 geometry_{prepared_};
+  // By patch.
+  std::vector<std::vector<RulePoint3>> two_points_ = points_of_patches(2), four_points_ = points_of_patches(4);
+  double nearest_vertices_ = kNearestVertices * SegmentVisibility3(prepared_.blockers()).diagonal() / 2;
 };
 
 }  // namespace

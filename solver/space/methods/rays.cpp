@@ -1,4 +1,4 @@
-// rays:N, rays:N:stratified, rays:N:sobol, each with :seed=S.
+// rays:N, rays:N:stratified, rays:N:sobol, each with :uniform and :seed=S.
 // GUARANTEE: estimated.
 // REFERENCE: J. R. Howell, The Monte Carlo method in radiative heat transfer, 1998; A. B. Owen, Monte Carlo variance of
 // scrambled net quadrature, 1997; I. Wald et al., Embree: a kernel framework for efficient CPU ray tracing, 2014.
@@ -74,14 +74,7 @@ std::uint32_t element_at(std::span<const SidePart3> side, const Vector3d& place,
 
 class Rays3 final : public ElementMethod3 {
  public:
-  explicit Rays3(const RayOptions3& options) : options_(options) {
-    const std::string sampling = sampling_suffix(options.sampling);
-    info_.name = fmt::format("rays:{}{}", options.rays, sampling);
-    if (options.seed != RayOptions3().seed) info_.name += fmt::format(":seed={}", options.seed);
-    info_.family = "rays" + sampling;
-    info_.parameter = static_cast<double>(options.rays);
-    info_.reference = kReference;
-  }
+  explicit Rays3(const RayOptions& options) : options_(options), info_(ray_method_info(options, kReference)) {}
   const MethodInfo& info() const override { return info_; }
   std::optional<double> declared_error(const PreparedScene3& prepared) const override;
 
@@ -128,9 +121,9 @@ class Rays3 final : public ElementMethod3 {
     return points;
   }
 
-  static std::uint32_t label_met(const Blockers3& blockers, const EmbreeScene3& scene, const SideElements3& sides,
-                                 const std::vector<Start>& starts, const RaySamples::Point& place,
-                                 const RaySamples::Point& direction, std::uint32_t sky) {
+  std::uint32_t label_met(const Blockers3& blockers, const EmbreeScene3& scene, const SideElements3& sides,
+                          const std::vector<Start>& starts, const RaySamples::Point& place,
+                          const RaySamples::Point& direction, std::uint32_t sky) const {
     const auto start =
         std::find_if(starts.begin(), starts.end() - 1, [&place](const Start& s) { return place.position < s.end; });
     const double begin = start == starts.begin() ? 0 : (start - 1)->end;
@@ -140,7 +133,9 @@ class Rays3 final : public ElementMethod3 {
     const Vector3d from = start->corner + s * start->along + t * start->across;
 
     const Vector3d u = 1 / length(start->along) * start->along, v = cross(start->patch->normal, u);
-    const double sine = std::sqrt(direction.position), cosine = std::sqrt(1 - direction.position);
+    const bool is_by_cosine = options_.law == EmissionLaw::kCosine;
+    const double cosine = is_by_cosine ? std::sqrt(1 - direction.position) : 1 - direction.position;
+    const double sine = is_by_cosine ? std::sqrt(direction.position) : std::sqrt(1 - cosine * cosine);
     const double turn = 2 * std::numbers::pi * direction.turn;
     const Vector3d way = cosine * start->patch->normal + sine * std::cos(turn) * u + sine * std::sin(turn) * v;
     const auto hit = scene.first_hit(from, way, start->patch->piece);
@@ -152,7 +147,7 @@ class Rays3 final : public ElementMethod3 {
     return element_at(sides.on({hit->piece, is_back}), from + hit->distance * way, outward, sky);
   }
 
-  RayOptions3 options_;
+  RayOptions options_;
   MethodInfo info_;
 };
 
@@ -161,6 +156,7 @@ class Rays3 final : public ElementMethod3 {
 // (Chatterjee 2007, proposition 1.1); and that mean, which no place and no direction changes by more than 1, by t but
 // for 2 exp(-t^2 / n) (McDiarmid 1989).
 std::optional<double> Rays3::declared_error(const PreparedScene3& prepared) const {
+  if (options_.law != EmissionLaw::kCosine) return std::nullopt;
   const ElementGeometry3 geometry(prepared);
   const auto n = static_cast<double>(options_.rays);
   const double columns = geometry.count() + 1.0, pairs = columns * columns;
@@ -177,7 +173,7 @@ std::optional<double> Rays3::declared_error(const PreparedScene3& prepared) cons
 
 }  // namespace
 
-std::unique_ptr<ExchangeMethod3> rays_method_3(const RayOptions3& options) {
+std::unique_ptr<ExchangeMethod3> rays_method_3(const RayOptions& options) {
   HOTTEL_REQUIRE(options.rays >= 1 && options.rays <= kMostRays);
   return std::make_unique<Rays3>(options);
 }
@@ -189,10 +185,7 @@ MethodFamily3 rays_family_3() {
           .reference = kReference,
           .guarantee = Guarantee::kEstimated,
           .sweep = rays_sweep(),
-          .make = [](std::string_view variant) {
-            const RayVariant read = ray_variant(variant);
-            return rays_method_3({.sampling = read.sampling, .rays = read.rays, .seed = read.seed.value_or(1)});
-          }};
+          .make = [](std::string_view variant) { return rays_method_3(ray_options(variant)); }};
 }
 
 }  // namespace hottel

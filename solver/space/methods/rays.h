@@ -1,10 +1,9 @@
 // Monte Carlo in space: rays, traced by Embree.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 
-#include "solver/methods/ray_samples.h"
+#include "solver/methods/ray_names.h"
 #include "solver/space/methods/exchange_method.h"
 
 namespace hottel {
@@ -23,14 +22,11 @@ namespace hottel {
 //
 // Embree works in single precision: what is smaller than some 1e-6 of the scene is not told apart. Rays never meet the
 // piece that they start from. (kStratified: places and directions each in strata of their own, paired at random.)
-struct RayOptions3 {
-  Sampling sampling = Sampling::kIndependent;
-  std::uint64_t rays = 1;  // REQUIRES 1 <= rays <= kMostRays
-  std::uint64_t seed = 1;
-};
-
+//
+// Rays by EmissionLaw::kUniform count no view factors, and nothing is claimed of them.
+//
 // Returns the method, whose report notes the seed. Throws ContractViolation for a number of rays that is out of range.
 // COST: n rays for each element, in parallel.
-std::unique_ptr<ExchangeMethod3> rays_method_3(const RayOptions3& options);
+std::unique_ptr<ExchangeMethod3> rays_method_3(const RayOptions& options);
 
 }  // namespace hottel

@@ -11,6 +11,7 @@ template std::unique_ptr<ExchangeMethod3> normalised_method(std::unique_ptr<Exch
 MethodFamily3 exact_family_3();
 MethodFamily3 center_family_3();
 MethodFamily3 center_vis_family_3();
+MethodFamily3 disk_family_3();
 MethodFamily3 vertex_quadrature_family_3();
 MethodFamily3 gauss_family_3();
 MethodFamily3 points_family_3();
@@ -22,6 +23,7 @@ MethodCatalogue3 methods_3() {
   methods.add(exact_family_3());
   methods.add(center_family_3());
   methods.add(center_vis_family_3());
+  methods.add(disk_family_3());
   methods.add(vertex_quadrature_family_3());
   methods.add(gauss_family_3());
   methods.add(points_family_3());

@@ -21,15 +21,6 @@ namespace {
 
 constexpr const char* kReference = "trapezoid rule on both elements, visibility 0 or 1";
 
-// The mean of cos cos' / (pi r^2) over all pairs of corners that are not too near.
-double mean_over_corners(const ElementPatch3& a, const ElementPatch3& b, double nearest) {
-  double sum = 0;
-  for (const Vector3d& x : a.corners)
-    for (const Vector3d& y : b.corners)
-      if (!(length(y - x) < nearest)) sum += cosine_kernel(x, a.normal, y, b.normal);
-  return sum / static_cast<double>(a.corners.size() * b.corners.size());
-}
-
 class VertexQuadrature3 final : public PairMethod3 {
  public:
   explicit VertexQuadrature3(const VertexVariant& variant)

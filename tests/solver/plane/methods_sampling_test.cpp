@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <numbers>
 #include <random>
 #include <set>
 
@@ -153,6 +154,19 @@ TEST(Rays2, ErrByTheStandardErrorOfABinomial) {
     EXPECT_GT(degrees, 500);
     EXPECT_NEAR(chi_square, degrees, 5 * std::sqrt(2 * degrees)) << n;
   }
+}
+
+TEST(Rays2, CountAnglesWhereTheyAreUniform) {
+  const PreparedScene2 room = prepare(parse_scene_2(R"({"hottel": 1, "dimension": 2, "materials": {"m": {}},
+    "polylines": [{"name": "room", "points": [[0, 0], [0, 1], [1, 1], [1, 0]], "closed": true, "material": "m"}]})",
+                                                    "room"),
+                                      Divided2::kYes);
+  // From x on the floor the ceiling is seen by atan(x) + atan(1 - x) of pi.
+  const double opposite = 0.5 - std::log(2) / std::numbers::pi;
+  const ExchangeMatrix counted = run("rays:65536:sobol:uniform", room);
+  EXPECT_NEAR(counted.factor("room[1]", "room[3]").value, opposite, 1e-3);
+  EXPECT_NEAR(counted.factor("room[1]", "room[2]").value, (1 - opposite) / 2, 1e-3);
+  EXPECT_FALSE(methods_2().make("rays:64:uniform")->declared_error(room));
 }
 
 TEST(Rays2, ReportTheStandardErrorOfTheWorstFactorAndTheSeed) {

@@ -111,6 +111,36 @@ TEST(MethodsInSpace, CenterIsTheKernelBetweenCentres) {
   EXPECT_DOUBLE_EQ(by("center-vis", plates(2)).factor("low", "high").value, 1 / (4 * std::numbers::pi));
 }
 
+TEST(MethodsInSpace, DiskStandsForTheOtherElementAndStaysBelowOne) {
+  const double pi = std::numbers::pi;
+  EXPECT_NEAR(by("disk", plates(1)).factor("low", "high").value, 1 / (pi + 1), 1e-15);
+  EXPECT_NEAR(by("disk", plates(3)).factor("low", "high").value, 1 / (9 * pi + 1), 1e-15);
+  // The lower one in quarters: A_i F_ij is not A_j F_ji.
+  const ExchangeMatrix parts = by("disk", plates(1, 2));
+  const double square = 1 + 2 * 0.25 * 0.25, cosines = 1 / square;
+  const auto whole = *parts.find("high");
+  EXPECT_NEAR(parts.factor(0, whole).value, cosines / (pi * square + 1), 1e-15);
+  EXPECT_NEAR(parts.factor(whole, 0).value, 0.25 * cosines / (pi * square + 0.25), 1e-15);
+}
+
+TEST(MethodsInSpace, UniformRaysCountSolidAngles) {
+  // The mean of the solid angle of the upper plate, by four right triangles at each point.
+  const auto angle = [](double x, double y) { return std::atan2(x * y, std::sqrt(x * x + y * y + 1)); };
+  double mean = 0;
+  constexpr int kSide = 64;
+  for (int i = 0; i < kSide; ++i)
+    for (int j = 0; j < kSide; ++j) {
+      const double x = (i + 0.5) / kSide, y = (j + 0.5) / kSide;
+      mean += angle(x, y) + angle(1 - x, y) + angle(x, 1 - y) + angle(1 - x, 1 - y);
+    }
+  mean /= 2 * std::numbers::pi * kSide * kSide;
+  const ExchangeMatrix counted = by("rays:65536:sobol:uniform", plates(1));
+  EXPECT_NEAR(counted.factor("low", "high").value, mean, 1e-3);
+  EXPECT_GT(std::abs(mean - kUnitPlates), 0.01);
+  EXPECT_FALSE(catalogue().make("rays:64:uniform")->declared_error(prepare(plates(1))));
+  EXPECT_EQ(catalogue().make("rays:64:uniform:seed=3")->info().name, "rays:64:uniform:seed=3");
+}
+
 TEST(MethodsInSpace, VerticesIsTheMeanOverCornersAndItsLiteralVariantLosesPi) {
   // Of 16 pairs of corners 4 are opposite (r^2 = 1), 8 beside (r^2 = 2), 4 across (r^2 = 3); cos cos' = 1 / r^2.
   const double mean = (4 * 1.0 + 8 / 4.0 + 4 / 9.0) / 16 / std::numbers::pi;
@@ -246,9 +276,9 @@ TEST(MethodsInSpace, MasksExchangeWithTheirBasesWhatTheyDo) {
 }
 
 TEST(MethodsInSpace, NamesThatMakeNoSenseAreRefused) {
-  for (const std::string name :
-       {"gauss", "gauss:0", "gauss:65", "points:x", "hemicube:3", "hemicube:", "hemicube:5000", "hemicube:64:flat",
-        "rays", "rays:0", "rays:8:sobol:seed", "vertices:middle", "center:1", "exact:1", "center-vis:inverse-square=1"})
+  for (const std::string name : {"gauss", "gauss:0", "gauss:65", "points:x", "hemicube:3", "hemicube:", "hemicube:5000",
+                                 "hemicube:64:flat", "rays", "rays:0", "rays:8:sobol:seed", "rays:8:seed=3:uniform",
+                                 "disk:2", "vertices:middle", "center:1", "exact:1", "center-vis:inverse-square=1"})
     EXPECT_THROW(catalogue().make(name), UsageError) << name;
   EXPECT_THROW(catalogue().make("strings"), UnknownName);
 }
