@@ -7,8 +7,8 @@
 
 #include "geometry/space/pieces/arc_sum.h"
 #include "geometry/space/pieces/sure_part.h"
+#include "geometry/space/proven/proof_counts.h"
 #include "geometry/space/proven/proven_vector.h"
-#include "geometry/space/unobstructed/pair_result.h"
 
 namespace hottel {
 
