@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cli/command.h"
+#include "cli/guarantee_option.h"
 #include "cli/level_options.h"
 #include "cli/methods.h"
 #include "cli/room_for_elements.h"
@@ -59,6 +60,7 @@ struct AnimateOptions {
   double exposure = 1;
   std::uint32_t size = 0;
   std::optional<std::string> tolerance;
+  GuaranteeOption guarantee;
   std::optional<std::uint64_t> memory;
   bool no_film = false, json = false;
 };
@@ -81,6 +83,7 @@ struct Plane {
   static Simulation simulation(const AnimateOptions& options, Scene2 scene, std::shared_ptr<FactorStore> store) {
     if (options.tolerance)
       throw UsageError("--tolerance is for scenes in space: in the plane every factor is correctly rounded");
+    options.guarantee.refuse_in_plane();
     if (options.shading != "flat") throw UsageError("--shading is for scenes in space");
     SimulationRequest2 request{.grid = grid_of(scene, options.grid), .keeps_rows = !options.levels.levels().is_any()};
     request.method = all_methods_2().make(options.method);
@@ -106,10 +109,12 @@ struct Space {
   static Simulation simulation(const AnimateOptions& options, Scene3 scene, std::shared_ptr<FactorStore> store) {
     if (!options.grid.empty())
       throw UsageError("--grid is of scenes in the plane: in space frames show what a camera sees");
+    if (options.method != "exact") options.guarantee.refuse_of_method(options.method);
     SimulationRequest3 request;
     request.factors.granularity = Granularity::kElement;
     request.factors.method = options.method == "exact" ? nullptr : all_methods_3().make(options.method);
     request.factors.tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance);
+    request.factors.must_be_enclosed = options.guarantee.must_be_enclosed();
     request.factors.memory = options.memory.value_or(0);
     request.factors.store = std::move(store);
     request.system.serves_many = true;
@@ -123,7 +128,8 @@ std::string key_of(const AnimateOptions& options, const std::string& scene, doub
   return sha256(fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", kVersion, rate_of(options).get_str(),
                             options.levels.everywhere, options.levels.at_borders, options.grid, options.tone,
                             shortest(options.exposure), options.size, options.shading, shortest(tolerance),
-                            options.method, scene));
+                            options.method, scene) +
+                (options.guarantee.must_be_enclosed() ? "\nenclosed" : ""));
 }
 
 // The pictures of a folder put together.
@@ -358,6 +364,7 @@ void add_animate(Commands& commands) {
       .add_option("--tolerance", options->tolerance,
                   "in space: what each pair may be off, relative to the smaller of both areas (1e-9)")
       ->type_name("T");
+  options->guarantee.add_to(command);
   command.add_option("--memory", options->memory, "bytes that factors may take; without it 80 % of what is free")
       ->type_name("BYTES")
       ->transform(whole_number(1));

@@ -290,6 +290,7 @@ void add_compare(Commands& commands) {
       .add_option("--tolerance", options->tolerance,
                   "in space: what A F of the exact factors may be off, relative to the smaller area (default 1e-9)")
       ->type_name("T");
+  options->guarantee.add_to(command, "what methods are held against is proven; ");
   command
       .add_option("--map", options->map,
                   "draw errors.png: where this method, or file of radiosities, gets the light wrong")

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/guarantee_option.h"
 #include "cli/methods.h"
 #include "cli/scene_input.h"
 #include "cli/store_option.h"
@@ -46,6 +47,7 @@ struct CompareOptions {
   std::optional<PlotY> plot_y;
   std::vector<std::uint32_t> divide;  // elements of each surface, ascending; empty: as the scene says
   std::optional<std::string> tolerance;
+  GuaranteeOption guarantee;
   ElementOptions elements;
   PolygonOptions polygons;
   StoreOption store;
@@ -65,6 +67,7 @@ struct ComparedPlane {
                                const Streams& streams) {
     if (options.tolerance)
       throw UsageError("--tolerance is for scenes in space: in the plane every factor is correctly rounded");
+    options.guarantee.refuse_in_plane();
     return Comparison(Simulation2(std::move(scene), {.store = store}), streams.stages());
   }
 };
@@ -83,8 +86,11 @@ struct ComparedSpace {
   static Comparison comparison(const CompareOptions& options, Scene scene, const std::shared_ptr<FactorStore>& store,
                                const Streams& streams) {
     const double tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance);
-    return Comparison(Simulation3(std::move(scene), {.factors = {.tolerance = tolerance, .store = store}}),
-                      streams.stages());
+    return Comparison(
+        Simulation3(std::move(scene), {.factors = {.tolerance = tolerance,
+                                                   .must_be_enclosed = options.guarantee.must_be_enclosed(),
+                                                   .store = store}}),
+        streams.stages());
   }
 };
 

@@ -103,12 +103,11 @@ void require_sense(const FactorsOptions& options) {
 void require_use_of_limits(const FactorsOptions& options) {
   if (options.memory > 0 && !options.is_exact())
     throw UsageError("--memory is kept to by the method exact only, not by " + options.method);
-  for (const auto& [name, is_given] :
-       {std::pair{"--tolerance", options.tolerance.has_value()}, {"--guarantee", options.guarantee.has_value()}})
-    if (is_given)
-      throw UsageError(std::string(name) +
-                       " is for scenes in space: in the plane every factor is correctly rounded, and those of other "
-                       "methods are as good as the method");
+  if (options.tolerance)
+    throw UsageError(
+        "--tolerance is for scenes in space: in the plane every factor is correctly rounded, and those of other "
+        "methods are as good as the method");
+  options.guarantee.refuse_in_plane();
   options.sky.refuse_in_plane();
 }
 
@@ -284,10 +283,7 @@ void add_factors(Commands& commands) {
                   "in space: what A F may be off, relative to the smaller area (default 1e-9); refused in the plane, "
                   "where factors are exact")
       ->type_name("T");
-  command
-      .add_option("--guarantee", options->guarantee,
-                  "in space: estimated (default), or enclosed: a pair without proven bounds within T is refused")
-      ->check(CLI::IsMember({"enclosed", "estimated"}));
+  options->guarantee.add_to(command);
   options->sky.add_to(command);
   options->per_option = command
                             .add_option("--per", options->granularity,

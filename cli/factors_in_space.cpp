@@ -33,7 +33,7 @@ void require_what_space_has(const FactorsOptions& options) {
     throw UsageError(option + " is of the method exact only, not of " + options.method);
   };
   if (options.tolerance) refuse_of("--tolerance");
-  if (options.guarantee) refuse_of("--guarantee");
+  options.guarantee.refuse_of_method(options.method);
   if (options.memory > 0) refuse_of("--memory");
 }
 
@@ -44,7 +44,7 @@ FactorsRequest3 request_in_space(const FactorsOptions& options, const Scene3& sc
           .wants_measures = options.matrix == "exchange",
           .tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance),
           .sky = options.sky.in_space(options.method),
-          .must_be_enclosed = options.guarantee == "enclosed",
+          .must_be_enclosed = options.guarantee.must_be_enclosed(),
           .rows = rows_to_compute(options, scene),
           .memory = options.memory,
           .store = options.store.open(options.method)};

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/guarantee_option.h"
 #include "cli/scene_input.h"
 #include "cli/sky_option.h"
 #include "cli/store_option.h"
@@ -20,7 +21,8 @@ namespace hottel {
 struct FactorsOptions {
   std::string scene, out;
   std::string method = "exact", granularity = "face", pairs = "visible", matrix;
-  std::optional<std::string> tolerance, guarantee;
+  std::optional<std::string> tolerance;
+  GuaranteeOption guarantee;
   ElementOptions elements;
   PolygonOptions polygons;
   StoreOption store;

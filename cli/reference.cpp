@@ -5,6 +5,7 @@
 #include <set>
 
 #include "cli/command.h"
+#include "cli/guarantee_option.h"
 #include "cli/scene_input.h"
 #include "cli/unit_notes.h"
 #include "geometry/plane/prepared/element_pieces.h"
@@ -30,6 +31,7 @@ struct ReferenceOptions {
   std::string directory;
   std::vector<std::string> scenes;
   std::optional<std::string> tolerance;
+  GuaranteeOption guarantee;
   PolygonOptions polygons;
 };
 
@@ -87,10 +89,13 @@ SceneReference refer_in_plane(const std::string& name, GivenScene given, const S
                           }});
 }
 
-SceneReference refer_in_space(const std::string& name, GivenScene given, double tolerance, const Streams& streams) {
-  const Simulation3 simulation(
-      std::get<Scene3>(std::move(given.scene)),
-      {.factors = {.granularity = Granularity::kElement, .wants_visibility = true, .tolerance = tolerance}});
+SceneReference refer_in_space(const std::string& name, GivenScene given, double tolerance, bool must_be_enclosed,
+                              const Streams& streams) {
+  const Simulation3 simulation(std::get<Scene3>(std::move(given.scene)),
+                               {.factors = {.granularity = Granularity::kElement,
+                                            .wants_visibility = true,
+                                            .tolerance = tolerance,
+                                            .must_be_enclosed = must_be_enclosed}});
   const auto prepared = simulation.prepared();
   const auto factors = simulation.factors(streams.stages());
   const auto solution = simulation.radiosities(streams.stages());
@@ -115,10 +120,12 @@ SceneReference refer(const ReferenceOptions& options, const std::string& file, c
   require_light_in_watts(given.scene);
   note_unknown_unit(given.scene, streams);
   if (std::holds_alternative<Scene3>(given.scene))
-    return refer_in_space(name, std::move(given), tolerance_of(options.tolerance, kTolerance), streams);
+    return refer_in_space(name, std::move(given), tolerance_of(options.tolerance, kTolerance),
+                          options.guarantee.must_be_enclosed(), streams);
   if (options.tolerance)
     throw UsageError("--tolerance is for scenes in space: in the plane, as " + file +
                      " is, every factor is correctly rounded");
+  options.guarantee.refuse_in_plane();
   return refer_in_plane(name, std::move(given), streams);
 }
 
@@ -178,6 +185,7 @@ void add_reference(Commands& commands) {
       .add_option("--tolerance", options->tolerance,
                   "in space: what A F may be off, relative to the smaller area (default 1e-12)")
       ->type_name("T");
+  options->guarantee.add_to(command);
 }
 
 }  // namespace hottel

@@ -225,10 +225,9 @@ void write_results(const SolveOptions& options, const Simulation2& simulation, c
 
 void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& request, double seconds_to_read,
                     Streams& streams) {
-  for (const auto& [name, is_given] :
-       {std::pair{"--tolerance", options.tolerance.has_value()}, {"--guarantee", options.guarantee.has_value()}})
-    if (is_given)
-      throw UsageError(std::string(name) + " is for scenes in space: in the plane every factor is correctly rounded");
+  if (options.tolerance)
+    throw UsageError("--tolerance is for scenes in space: in the plane every factor is correctly rounded");
+  options.guarantee.refuse_in_plane();
   options.sky.refuse_in_plane();
   require_shown(request.shown, scene);
   if (request.shown.is_light() && options.shading != "flat")
@@ -430,12 +429,8 @@ void add_solve(Commands& commands) {
       .add_option("--tolerance", options->tolerance,
                   "in space: what each pair may be off, relative to the smaller of both areas (1e-9)")
       ->type_name("T");
-  command
-      .add_option(
-          "--guarantee", options->guarantee,
-          "in space: estimated (default), or enclosed: every factor is proven, so that the bounds of radiosities "
-          "are those of the true factors; a pair without proven bounds within T is refused")
-      ->check(CLI::IsMember({"enclosed", "estimated"}));
+  options->guarantee.add_to(
+      command, "every factor is proven, so that the bounds of radiosities are those of the true factors; ");
   options->sky.add_to(command);
   options->store.add_to(command);
   command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")

@@ -42,10 +42,10 @@ void require_what_space_has(const SolveOptions& options) {
     throw UsageError(option + " is of scenes in the plane; this version does not have it in space");
   };
   const SolveOptions usual;
-  if (options.method != usual.method)
-    for (const auto& [name, is_given] :
-         {std::pair{"--tolerance", options.tolerance.has_value()}, {"--guarantee", options.guarantee.has_value()}})
-      if (is_given) throw UsageError(std::string(name) + " is of the method exact only, not of " + options.method);
+  if (options.method != usual.method) {
+    if (options.tolerance) throw UsageError("--tolerance is of the method exact only, not of " + options.method);
+    options.guarantee.refuse_of_method(options.method);
+  }
   if (options.illumination != usual.illumination) refuse("--illumination");
   if (options.views != usual.views) refuse("--views");
   if (options.contours > 0) refuse("--contours");
@@ -141,7 +141,7 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) 
                                                                                            : Granularity::kFace,
                       .tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance),
                       .sky = options.sky.in_space(options.method),
-                      .must_be_enclosed = options.guarantee == "enclosed",
+                      .must_be_enclosed = options.guarantee.must_be_enclosed(),
                       .memory = options.memory.value_or(0),
                       .store = options.store.open(options.method)},
           .system = {.solver = solver_of(options, false), .iterations = options.iterations, .until = options.until},

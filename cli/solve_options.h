@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 
+#include "cli/guarantee_option.h"
 #include "cli/level_options.h"
 #include "cli/scene_input.h"
 #include "cli/sky_option.h"
@@ -33,7 +34,8 @@ struct SolveOptions {
   int contours = 0;
   bool axes = false;
   bool no_picture = false, no_illumination = false;
-  std::optional<std::string> tolerance, guarantee;  // in space
+  std::optional<std::string> tolerance;  // in space
+  GuaranteeOption guarantee;
   std::optional<std::uint64_t> memory;
   ElementOptions elements;
   LevelOptions levels;

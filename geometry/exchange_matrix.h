@@ -22,7 +22,8 @@ namespace hottel {
 //   (4) of one that is kEstimated the real factor lies within bounds(), the double is a guess
 //   (5) only elements with a material and an area have a row; pairs that exchange nothing have no entry. That a pair
 //       without entry exchanges nothing is proven, unless all entries are estimated
-//   (6) rows are compressed: entry k of row i stands at begins()[i] + k of columns(), factors(), visibilities(), and of
+//   (6) where has_closed_rows(), the real factors of each row sum to 1, the sky included
+//   (7) rows are compressed: entry k of row i stands at begins()[i] + k of columns(), factors(), visibilities(), and of
 //       measures, bounds and guarantees where there are some
 // COST: 20 bytes an entry, two entries a visible pair of elements with materials; 1 more where entries are exact, 8
 // with measures, 16 with bounds, and 1 where entries differ in what is guaranteed of them.
@@ -63,6 +64,9 @@ class ExchangeMatrix {
             entries_.sides_.empty() ? nullptr : entries_.sides_.data() + b, entries_.visibilities_.data() + b,
             begin_[i + 1] - b};
   }
+  // Whether who made the matrix promises (6). That of exact factors need not be promised.
+  bool has_closed_rows() const { return has_closed_rows_; }
+  void promise_closed_rows() { has_closed_rows_ = true; }
   std::size_t entry_count() const { return entries_.size(); }
 
   // The arrays, for those who take them as they are (scipy.sparse, HDF5, PETSc). They live as long as the matrix.
@@ -110,6 +114,7 @@ class ExchangeMatrix {
   std::vector<Enclosure> bounds_;      // empty: none but what the entries say
   std::vector<Guarantee> guarantees_;  // empty: all alike
   Guarantee guarantee_ = Guarantee::kEstimated;
+  bool has_closed_rows_ = false;
 };
 
 // The place of an element (or of the sky, matrix.sky()) by name. Throws UnknownName when there is none.

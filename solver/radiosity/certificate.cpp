@@ -82,6 +82,27 @@ void start_where_nothing_is(const RadiositySystem& system, SplitVector& v) {
     if (!is_started[c]) v.constant[c] = {1, 0};
 }
 
+// For components in which nothing is proven: v = 1, whose image is what each row loses. It takes no factor.
+void take_ones_where_nothing_is_proven(const RadiositySystem& system, const std::vector<char>& is_wanted,
+                                       const ErrorTerms& terms, PositiveVector& found) {
+  std::vector<char> is_left = is_wanted;
+  for (std::size_t c = 0; c < is_left.size(); ++c) is_left[c] = is_wanted[c] && !found.is_proven[c];
+  if (std::find(is_left.begin(), is_left.end(), 1) == is_left.end()) return;
+  SplitVector one = zero_of(system);
+  for (std::size_t c = 0; c < is_left.size(); ++c)
+    if (is_left[c]) one.constant[c] = {1, 0};
+  const std::vector<DoubleDoubleBall> minus_image = system.residual(nullptr, one, is_left, terms);
+  for (std::size_t c = 0; c < is_left.size(); ++c)
+    if (is_left[c]) found.v.constant[c] = one.constant[c], found.is_proven[c] = 1;
+  for (std::size_t i = 0; i < system.size(); ++i) {
+    const std::uint32_t c = system.rows()[i].component;
+    if (!is_left[c]) continue;
+    found.v.rest[i] = {};
+    found.image[i] = -minus_image[i].upper();
+    if (!(found.image[i] > 0)) found.is_proven[c] = 0;
+  }
+}
+
 // Looks for v > 0 with A v near `target` > 0.
 PositiveVector positive_vector(const RadiositySystem& system, const ApproximateInverse& inverse,
                                const std::vector<char>& is_wanted, std::vector<double> target,
@@ -175,8 +196,10 @@ CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, c
   std::vector<DoubleDoubleBall> made;
   if (residual == nullptr) made = system.residual(&sources, x, sources.is_lit, terms);
   const std::vector<DoubleDoubleBall>& r = residual != nullptr ? *residual : made;
-  const PositiveVector positive =
-      positive_vector(system, inverse, sources.is_lit, near_one(system, sources.is_lit, r), {});
+  PositiveVector positive =
+      positive_vector(system, inverse, sources.is_lit, near_one(system, sources.is_lit, r), {.meant = terms.meant});
+  if (terms.meant == FactorsMeant::kWithinBounds)
+    take_ones_where_nothing_is_proven(system, sources.is_lit, terms, positive);
 
   std::vector<double> up(system.components().size(), 0), down(system.components().size(), 0);
   for (std::size_t i = 0; i < n; ++i) {
@@ -209,7 +232,9 @@ CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, c
     }
     // B >= E always.
     const double emission = sources.emission_in(c, system.rows()[i].element).lower();
-    const Enclosure& range = sources.range[c];
+    // For factors that are only enclosed the maximum principle is of those for which light is known to die out.
+    const bool is_known_to_die_out = terms.meant == FactorsMeant::kAsGiven || positive.is_proven[c] != 0;
+    const Enclosure range = is_known_to_die_out ? sources.range[c] : Enclosure{0, kInfinity};
     result.lower.push_back(std::max({std::isfinite(lower) ? lower : 0, emission, range.lower}));
     result.upper.push_back(std::max(std::isnan(upper) ? kInfinity : std::min(upper, range.upper), result.lower.back()));
   }

@@ -41,6 +41,8 @@ std::vector<double> refine(const RadiositySystem& system, const Sources& sources
 //   (2) no wider than Sources::range; else infinite upper bounds in components where A v > 0 could not be proven;
 //       infinite ones on both sides everywhere when some factor is negative
 //   (3) never wrong, but possibly infinite, when a reflectivity is so near 1 that the loss underflows
+//   (4) with FactorsMeant::kWithinBounds they hold for all factors within their bounds whose rows sum to 1; where A v >
+//       0 is not proven of that v, v = 1 is tried
 // `residual`: that of x with these terms, where it is known (null: it is not).
 // COST: two matrix passes, one where the residual is known, and one inner solve; up to twice as much again a further
 // round when A v > 0 is not settled.

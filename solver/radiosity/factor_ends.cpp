@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "solver/radiosity/radiosity_system.h"
+
 namespace hottel {
 
 ExchangeMatrix matrix_of_ends(const ExchangeMatrix& matrix, double Enclosure::*end) {
@@ -22,6 +24,14 @@ ExchangeMatrix matrix_of_ends(const ExchangeMatrix& matrix, double Enclosure::*e
   ExchangeMatrix result(matrix.elements(), Guarantee::kEstimated);
   result.assign(std::move(begin), std::move(entries));
   return result;
+}
+
+bool has_closed_enclosures(const ExchangeMatrix& matrix) {
+  if (matrix.guarantee() != Guarantee::kEnclosed || !matrix.has_closed_rows()) return false;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    for (std::size_t k = 0; k < matrix.row(i).size(); ++k)
+      if (!is_positive(matrix.row(i)[k].factor) && matrix.bounds(i, k).upper > 0) return false;
+  return true;
 }
 
 }  // namespace hottel

@@ -60,12 +60,13 @@ class GraySystem {
   // Whether light dies out, proven: only then are there columns.
   bool dies_out() const { return dies_out_; }
 
-  // The numbers of one column that are not 0, by rows, with bounds for the factors as they are.
-  std::vector<ColumnEntry> column(std::uint32_t to) const {
+  // The numbers of one column that are not 0, by rows, with bounds for the factors that are meant. Those of all factors
+  // within their bounds may be infinite.
+  std::vector<ColumnEntry> column(std::uint32_t to, FactorsMeant meant = FactorsMeant::kAsGiven) const {
     std::vector<ColumnEntry> result;
     const ScaledBall source = emissivity_of(to);
     if (source.is_zero()) return result;
-    const std::vector<ScaledBall> irradiance = system_.irradiance(radiosity(system_.unit_source(to)));
+    const std::vector<ScaledBall> irradiance = system_.irradiance(radiosity(system_.unit_source(to), meant), meant);
     for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
       if (!matrix_.has_row(i)) continue;
       const ScaledBall emissivity = emissivity_of(i);
@@ -90,14 +91,16 @@ class GraySystem {
   }
 
   // G_kj of all elements k, the sky last, for the column j that is the source.
-  std::vector<ScaledBall> radiosity(const Sources& sources) const {
+  std::vector<ScaledBall> radiosity(const Sources& sources, FactorsMeant meant) const {
     std::vector<ScaledBall> result = sources.emission;
     if (!inverse_) return result;
     SplitVector x{std::vector<DoubleDouble>(system_.components().size()), std::vector<DoubleDouble>(system_.size())};
     refine(system_, sources, *inverse_, x);
-    CertifiedBounds bounds = certify(system_, sources, *inverse_, x);
-    if (system_.rows_are_closed()) elimination_.narrow(sources, {}, bounds);
-    require_bounds(system_, bounds);
+    CertifiedBounds bounds = certify(system_, sources, *inverse_, x, {.meant = meant});
+    if (meant == FactorsMeant::kAsGiven) {
+      if (system_.rows_are_closed()) elimination_.narrow(sources, {}, bounds);
+      require_bounds(system_, bounds);
+    }
     for (std::size_t u = 0; u < system_.size(); ++u) result[system_.rows()[u].element] = bounds.enclosed(u);
     return result;
   }
@@ -115,7 +118,7 @@ class GraySystem {
 class EnclosedGraySystem {
  public:
   EnclosedGraySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel)
-      : as_given_(matrix, materials, channel) {
+      : as_given_(matrix, materials, channel), has_closed_rows_(has_closed_enclosures(matrix)) {
     if (!as_given_.dies_out())
       throw RequestError("no script-F: rows of the factors sum to more than 1, and light may not die out");
     if (matrix.guarantee() != Guarantee::kEnclosed) return;
@@ -135,11 +138,18 @@ class EnclosedGraySystem {
                                           [](const ColumnEntry& entry, std::uint32_t r) { return entry.row < r; });
       return found != column.end() && found->row == row ? &*found : nullptr;
     };
+    const std::vector<ColumnEntry> closed =
+        has_closed_rows_ ? as_given_.column(to, FactorsMeant::kWithinBounds) : std::vector<ColumnEntry>();
     for (ColumnEntry& entry : result) {
       const ColumnEntry *const value = in(middle, entry.row), *const low = in(least, entry.row);
       const double most = as_given_.most_of_row(entry.row);
       entry.bounds = {low != nullptr ? std::min(low->bounds.lower, most) : 0,
                       has_most ? std::min(entry.bounds.upper, most) : most};
+      if (const ColumnEntry* const of_rows = in(closed, entry.row)) {
+        entry.bounds = {std::max(entry.bounds.lower, of_rows->bounds.lower),
+                        std::min(entry.bounds.upper, of_rows->bounds.upper)};
+        HOTTEL_REQUIRE(entry.bounds.lower <= entry.bounds.upper);  // each end is proven
+      }
       entry.value = std::clamp(value != nullptr ? value->value : 0, entry.bounds.lower, entry.bounds.upper);
     }
     return result;
@@ -156,6 +166,7 @@ class EnclosedGraySystem {
   };
 
   GraySystem as_given_;
+  bool has_closed_rows_;
   std::optional<Ends> lower_, upper_;
 };
 

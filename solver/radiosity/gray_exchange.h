@@ -39,7 +39,8 @@ struct GrayExchangeOptions {
 //   (3) without reflection script-F = F, bit for bit
 //   (4) where no view factor is estimated every number lies in ExchangeMatrix::bounds(), proven, for the exact view
 //       factors and reflectivities: a few ulps wide for exact factors and reflectivities up to 1 - 2^-50 and beyond;
-//       for enclosed ones from what the lower ends of their bounds give to what the upper ends do. Where some are
+//       for enclosed ones from what the lower ends of their bounds give to what the upper ends do, or narrower where
+//       the matrix has closed rows (enclosed_radiosity.h). Where some are
 //       estimated script-F is that of the doubles, (1) and (2) hold as well as they close, and the guarantee is
 //       kEstimated
 //   (5) the row and the column of a face with e = 0 are 0, also where all faces that it exchanges light with have e = 0

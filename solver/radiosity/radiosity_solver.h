@@ -19,8 +19,9 @@ namespace hottel {
 //
 //   (1) lower <= true B <= upper in every element, the true B being that of the exact reflectivities and factors and of
 //       any sources within their enclosures; where some factors are enclosed and none is estimated, of any factors
-//       within their bounds; where some are estimated, of the doubles that the matrix holds. The last says nothing of
-//       the scene: `guarantee` is then kEstimated, else kEnclosed
+//       within their bounds, or those whose rows sum to 1 where the matrix has closed rows; where some are estimated,
+//       of the doubles that the matrix holds. The last says nothing of the scene: `guarantee` is then kEstimated, else
+//       kEnclosed
 //   (2) lower = upper = 0 = B where no light reaches; B = E within half an ulp where rho = 0 and E is exact; lower is
 //       never below the largest double that is not above E, net_upper never above the smallest that is not below it
 //       (unless a factor is negative)

@@ -21,7 +21,8 @@ class DifferenceSum {
  public:
   explicit DifferenceSum(const ErrorTerms& terms) : terms_(terms) {}
 
-  void add(const Rounded& factor, DoubleDouble a, DoubleDouble b, double radius_of_difference = 0) {
+  // `reach`: how far the real factor may be from the one that is told.
+  void add(const Rounded& factor, DoubleDouble a, DoubleDouble b, double radius_of_difference = 0, double reach = 0) {
     double d, e, p, pe, s, se;
     two_sum(a.hi, -b.hi, d, e);
     const double d_low = e + (a.lo - b.lo);
@@ -34,6 +35,7 @@ class DifferenceSum {
     low_size_ += std::abs(pe) + std::abs(se) + std::abs(from_shift) +
                  std::abs(factor.value) * (std::abs(e) + std::abs(a.lo) + std::abs(b.lo));
     factor_radius_ += real.radius * (std::abs(d) + 2 * std::abs(d_low));
+    if (reach > 0) factor_radius_ += reach * (std::abs(d) + 2 * std::abs(d_low) + radius_of_difference);
     other_radius_ += std::abs(factor.value) * radius_of_difference;
     ++count_;
   }
@@ -58,6 +60,12 @@ class DifferenceSum {
   std::size_t count_ = 0;
 };
 
+// How far the k-th factor of a row may be from its double, where all within its bounds are meant.
+double reach_of(const ExchangeMatrix& matrix, std::uint32_t i, std::size_t k, FactorsMeant meant) {
+  if (meant == FactorsMeant::kAsGiven || matrix.guarantee(i, k) == Guarantee::kExact) return 0;
+  return DoubleDoubleBall::around({matrix.row(i)[k].factor.value, 0}, matrix.bounds(i, k)).radius;
+}
+
 // True if factors within their bounds may sum to 1 in this row.
 bool may_be_closed(const ExchangeMatrix& matrix, std::uint32_t i) {
   DoubleDoubleBall least, most;
@@ -80,6 +88,9 @@ bool rows_may_be_closed(const ExchangeMatrix& matrix) {
     if (!matrix.has_row(i) || may_be_closed(matrix, i)) continue;
     if (matrix.guarantee() == Guarantee::kExact)
       throw ContractViolation(fmt::format("exact factors of '{}' must sum to 1", matrix.elements()[i].name));
+    if (matrix.has_closed_rows() && !matrix.row(i).empty())
+      throw ContractViolation(
+          fmt::format("no factors of '{}' within their bounds sum to 1", matrix.elements()[i].name));
     return false;
   }
   return true;
@@ -160,6 +171,7 @@ DoubleDoubleBall RadiositySystem::value(const SplitVector& x, std::size_t unknow
 std::vector<DoubleDoubleBall> RadiositySystem::residual(const Sources* sources, const SplitVector& x,
                                                         const std::vector<char>& is_wanted,
                                                         const ErrorTerms& terms) const {
+  HOTTEL_REQUIRE(terms.meant == FactorsMeant::kAsGiven || rows_are_closed());
   std::vector<DoubleDoubleBall> result(rows_.size());
   const auto is_zero = [](const DoubleDouble& value) { return value.hi == 0 && value.lo == 0; };
   const bool is_start = std::all_of(x.rest.begin(), x.rest.end(), is_zero);  // nothing is exchanged yet
@@ -169,15 +181,19 @@ std::vector<DoubleDoubleBall> RadiositySystem::residual(const Sources* sources, 
       if (!is_wanted[row.component]) continue;
       const DoubleDoubleBall here = value(x, i);
       DifferenceSum exchanged(terms);
-      for (const FactorEntry& entry : matrix_->row(row.element)) {
+      const FactorRow factors = matrix_->row(row.element);
+      for (std::size_t k = 0; k < factors.size(); ++k) {
+        const FactorEntry entry = factors[k];
         const std::int32_t j = unknown_[entry.to];
         if (j >= 0 && is_start) {
           exchanged.add_zero();
         } else if (j >= 0) {
-          exchanged.add(entry.factor, x.rest[i], x.rest[static_cast<std::size_t>(j)]);
+          exchanged.add(entry.factor, x.rest[i], x.rest[static_cast<std::size_t>(j)], 0,
+                        reach_of(*matrix_, row.element, k, terms.meant));
         } else {
           const DoubleDoubleBall there = sources ? sources->emission_in(row.component, entry.to) : DoubleDoubleBall();
-          exchanged.add(entry.factor, {here.hi, here.lo}, {there.hi, there.lo}, here.radius + there.radius);
+          exchanged.add(entry.factor, {here.hi, here.lo}, {there.hi, there.lo}, here.radius + there.radius,
+                        reach_of(*matrix_, row.element, k, terms.meant));
         }
       }
       const DoubleDoubleBall left = sum(product(row.loss, here), product(row.reflectivity, exchanged.result()));
@@ -192,7 +208,9 @@ namespace {
 
 // The irradiance of one row. A row that sums to 1 is a mean: differences to its smallest value lose nothing, and none
 // is above the mean.
-DoubleDoubleBall gathered(const FactorRow& row, const std::vector<DoubleDoubleBall>& radiosity, bool is_mean) {
+DoubleDoubleBall gathered(const ExchangeMatrix& matrix, std::uint32_t i, const std::vector<DoubleDoubleBall>& radiosity,
+                          bool is_mean, FactorsMeant meant) {
+  const FactorRow row = matrix.row(i);
   DoubleDoubleBall base;
   if (is_mean) {
     base = radiosity[*std::ranges::min_element(row.columns(), {}, [&](std::uint32_t to) { return radiosity[to].hi; })];
@@ -200,27 +218,36 @@ DoubleDoubleBall gathered(const FactorRow& row, const std::vector<DoubleDoubleBa
   }
   DifferenceSum above(ErrorTerms{});
   bool is_dark = base.size() == 0;
-  for (const FactorEntry& entry : row) {
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    const FactorEntry entry = row[k];
     const DoubleDoubleBall& there = radiosity[entry.to];
     if (there.size() == 0 && base.size() == 0) continue;
     is_dark = false;
-    above.add(entry.factor, {there.hi, there.lo}, {base.hi, base.lo}, there.radius);
+    above.add(entry.factor, {there.hi, there.lo}, {base.hi, base.lo}, there.radius, reach_of(matrix, i, k, meant));
   }
   return is_dark ? DoubleDoubleBall() : sum(base, above.result());
 }
 
 // The same, whatever the sizes of factors and radiosities. Nothing is subtracted: what is far from others in size has
 // little in common with them.
-ScaledBall gathered_far(const FactorRow& row, const std::vector<ScaledBall>& radiosity) {
+ScaledBall gathered_far(const ExchangeMatrix& matrix, std::uint32_t i, const std::vector<ScaledBall>& radiosity,
+                        FactorsMeant meant) {
   ScaledBall result;
-  for (const FactorEntry& entry : row)
-    result = sum(result, product(ScaledBall::of(DoubleDoubleBall::of(entry.factor)), radiosity[entry.to]));
+  const FactorRow row = matrix.row(i);
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    const FactorEntry entry = row[k];
+    DoubleDoubleBall factor = DoubleDoubleBall::of(entry.factor);
+    factor.radius += reach_of(matrix, i, k, meant) * kOutward;
+    result = sum(result, product(ScaledBall::of(factor), radiosity[entry.to]));
+  }
   return result;
 }
 
 }  // namespace
 
-std::vector<ScaledBall> RadiositySystem::irradiance(const std::vector<ScaledBall>& radiosity) const {
+std::vector<ScaledBall> RadiositySystem::irradiance(const std::vector<ScaledBall>& radiosity,
+                                                    FactorsMeant meant) const {
+  HOTTEL_REQUIRE(meant == FactorsMeant::kAsGiven || rows_are_closed());
   int unit = INT_MIN;
   for (const ScaledBall& b : radiosity)
     if (!b.is_zero()) unit = std::max(unit, b.exponent);
@@ -240,8 +267,8 @@ std::vector<ScaledBall> RadiositySystem::irradiance(const std::vector<ScaledBall
       if (!matrix_->has_row(i) || row.empty()) continue;
       const bool sees_far =
           is_any_far && std::ranges::any_of(row.columns(), [&](std::uint32_t to) { return is_far[to] != 0; });
-      const DoubleDoubleBall near = gathered(row, in_unit, rows_are_closed());
-      result[i] = sees_far || (near.size() != 0 && near.size() < kFar) ? gathered_far(row, radiosity)
+      const DoubleDoubleBall near = gathered(*matrix_, i, in_unit, rows_are_closed(), meant);
+      result[i] = sees_far || (near.size() != 0 && near.size() < kFar) ? gathered_far(*matrix_, i, radiosity, meant)
                                                                        : ScaledBall::of(near, unit);
     }
   });

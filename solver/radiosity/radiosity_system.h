@@ -50,10 +50,15 @@ struct SystemRow {
   DoubleDoubleBall reflectivity, loss;  // loss = 1 - reflectivity * (sum of the row's factors)
 };
 
-// What may be left out of the residual's error bound, to show in tests that the bounds need it.
+// What a residual is of: the factors as they are, or, with closed rows, any within their bounds.
+enum class FactorsMeant { kAsGiven, kWithinBounds };
+
+// What counts in the error bound of a residual. Terms may be left out, to show in tests that bounds need them.
 struct ErrorTerms {
   bool factors = true;    // the factors are known to half an ulp only
   bool roundings = true;  // and the residual itself is rounded
+  // kWithinBounds: what is enclosed of all factors within their bounds whose rows sum to 1. REQUIRES rows_are_closed().
+  FactorsMeant meant = FactorsMeant::kAsGiven;
 };
 
 // B_i = E_i + rho_i (sum_j F_ij B_j + D_i) for the channels of one reflectivity vector, in row-defect form:
@@ -68,10 +73,11 @@ struct ErrorTerms {
 //       emissions of all that is known and that they see: no extremum can be elsewhere. REQUIRES a component that loses
 //       light; [0, infinity] where an unknown with rho = 1 emits, and where rows are not closed
 //   (5) F is the factors themselves: the double of an entry that is not exact; of one that is, the real number and its
-//       double alike: what is proven holds for both. Bounds of factors do not enter (enclosed_radiosity.h)
-// Throws RequestError where a factor is no number, ContractViolation where the matrix says that it is exact and a row
-// does not sum to 1.
-// COST: about 20 ns an entry of the matrix for a residual, over all threads.
+//       double alike: what is proven holds for both. Bounds of factors enter where they are asked for
+//       (ErrorTerms::meant)
+// Throws RequestError where a factor is no number, ContractViolation where the matrix says that it is exact, or that
+// its rows are closed, and a row cannot sum to 1. COST: about 20 ns an entry of the matrix for a residual, over all
+// threads.
 class RadiositySystem {
  public:
   // `reflectivity`: by material; or channel 0, 1 or 2 of the materials' spectra. REQUIRES that the matrix outlives
@@ -117,8 +123,10 @@ class RadiositySystem {
 
   // Returns the irradiance H_i = sum_j F_ij B_j of every row, by element; `radiosity` >= 0 is by element, the sky last.
   // Its width is that of the radiosities and half an ulp or so of H_i, however much the radiosities differ; it is
-  // exactly 0 where all of them are.
-  std::vector<ScaledBall> irradiance(const std::vector<ScaledBall>& radiosity) const;
+  // exactly 0 where all of them are. With kWithinBounds that of all factors within their bounds whose rows sum to 1:
+  // what is unknown of a factor counts times the difference of two radiosities.
+  std::vector<ScaledBall> irradiance(const std::vector<ScaledBall>& radiosity,
+                                     FactorsMeant meant = FactorsMeant::kAsGiven) const;
 
  private:
   void find_components();

@@ -87,9 +87,11 @@ CertifiedBounds SystemSolver::solve(const Sources& sources, const ErrorTerms& te
     run_as_named(sources, x, history, notes);
   times.lap("radiosity");
   // Where factors are negative, rows may have entries in other components, which may have changed since.
-  const bool knows_residual = is_refined() && terms.factors && terms.roundings && !system.has_negative_factors();
+  const bool is_as_given = terms.meant == FactorsMeant::kAsGiven;
+  const bool knows_residual =
+      is_refined() && terms.factors && terms.roundings && is_as_given && !system.has_negative_factors();
   CertifiedBounds bounds = certify(system, sources, *inverse_, x, terms, knows_residual ? &last : nullptr);
-  if (system.rows_are_closed()) kept_.wide.narrow(sources, {is_refined(), !is_refined()}, bounds);
+  if (system.rows_are_closed() && is_as_given) kept_.wide.narrow(sources, {is_refined(), !is_refined()}, bounds);
   times.lap("certificate");
   if (system.matrix().guarantee() == Guarantee::kExact) require_bounds(system, bounds);
   return bounds;

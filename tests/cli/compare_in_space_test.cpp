@@ -23,7 +23,7 @@ TEST(CompareInSpace, WritesAllFilesAndALineForEachFamily) {
   const Outcome outcome = place.run("hottel compare '" + kCube + "' -o out --repeat 1 --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto csv = lines_of(place.read("out/compare.csv"));
-  ASSERT_EQ(csv.size(), 9u);
+  ASSERT_EQ(csv.size(), 10u);
   EXPECT_EQ(csv[0], "method,guarantee,seconds,max_error,rms_error,closure,max_radiosity_error");
   EXPECT_THAT(csv[1], StartsWith("exact,estimated,"));
   EXPECT_THAT(place.read("out/compare.svg"), HasSubstr("<svg"));

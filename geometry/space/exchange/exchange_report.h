@@ -18,6 +18,9 @@ namespace hottel {
 //   (2) hidden, clear, mixed: unordered pairs of patches by how they were settled (Sight3), of which at least one has a
 //       row; the sky has six patches. They are not of one surface
 //   (3) maps, pieces, nodes: what was looked at along edges; signs: what settled the signs
+//       proof, where enclosures were asked for: the parts of pieces of edges that were enclosed, how often one was
+//       halved, how many were done again with more digits, how many are left to what can be seen at most; and pairs
+//       whose bounds are narrower by those of the others in their rows
 //   (4) max_error: the largest estimated error of a pair over its smaller area; max_defect: the largest |row sum - 1|
 //   (5) seconds: "prepare", "label", "pairs", "visibility", "matrix"
 struct ExchangeReport3 {
@@ -26,6 +29,9 @@ struct ExchangeReport3 {
   std::uint64_t hidden = 0, clear = 0, mixed = 0;
   std::uint64_t maps = 0, pieces = 0, nodes = 0;
   SignCounts signs;
+  struct Proof {
+    std::uint64_t parts = 0, halvings = 0, redone = 0, failures = 0, narrowed = 0;
+  } proof;
   double max_error = 0, max_defect = 0;
   std::optional<SkyByClosure> sky;        // where it is told by closure
   std::map<std::string, double> seconds;  // of stages that ran

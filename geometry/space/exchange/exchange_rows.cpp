@@ -12,6 +12,7 @@
 #include "geometry/space/contacts/near_contacts.h"
 #include "geometry/space/exchange/exchange_memory.h"
 #include "geometry/space/exchange/groups_alone.h"
+#include "geometry/space/exchange/narrow_by_rows.h"
 #include "geometry/space/exchange/pair_names.h"
 #include "geometry/space/exchange/pair_sums.h"
 #include "geometry/space/exchange/rest_for_sky.h"
@@ -140,6 +141,7 @@ class MatrixOfSums {
       if (with_measures) measures[place] = of_pair_[k].measure;
     });
     matrix.assign(std::move(begin), std::move(entries), std::move(measures), std::move(bounds), std::move(guarantees));
+    if (has_all_rows()) matrix.promise_closed_rows();
     return matrix;
   }
 
@@ -154,6 +156,11 @@ class MatrixOfSums {
     }
   }
   bool has_row(std::uint32_t label) const { return is_chosen_[label] != 0 && table_.has_row(label); }
+  bool has_all_rows() const {
+    for (std::uint32_t label = 0; label < table_.count(); ++label)
+      if (table_.has_row(label) && !has_row(label)) return false;
+    return true;
+  }
 
   const ElementTable3& table_;
   const std::vector<char>& is_chosen_;
@@ -378,6 +385,15 @@ ExchangeMatrix ExchangeRows3::matrix(ExchangeReport3* report) {
   report_.seconds["visibility"] = watch.lap();
   ExchangeMatrix matrix = MatrixOfSums(table_, is_chosen_, pairs_, std::move(entries)).make(request_.wants_measures);
   report_.max_defect = closure_defect(matrix, is_chosen_);
+  // After the defect is told, which would vanish else.
+  if (request_.proves && matrix.has_closed_rows()) {
+    report_.proof.narrowed = narrow_by_rows(table_, pairs_);
+    if (report_.proof.narrowed > 0) {
+      report_.enclosed = 0;
+      matrix = MatrixOfSums(table_, is_chosen_, pairs_, entries_of(prepared_, table_, pairs_, request_, report_))
+                   .make(request_.wants_measures);
+    }
+  }
   report_.seconds["matrix"] = watch.lap();
   if (report != nullptr) *report = std::move(report_);
   return matrix;

@@ -167,6 +167,10 @@ class Measuring {
     counts.maps += pair.maps;
     counts.pieces += pair.pieces;
     counts.nodes += pair.nodes;
+    counts.proof.parts += pair.proof.parts;
+    counts.proof.halvings += pair.proof.halvings;
+    counts.proof.redone += pair.proof.redone;
+    counts.proof.failures += pair.proof.failures;
     counts.signs += pair.signs;
   }
 
@@ -195,6 +199,10 @@ void add_counts(ExchangeReport3& report, const ExchangeReport3& some) {
   report.maps += some.maps;
   report.pieces += some.pieces;
   report.nodes += some.nodes;
+  report.proof.parts += some.proof.parts;
+  report.proof.halvings += some.proof.halvings;
+  report.proof.redone += some.proof.redone;
+  report.proof.failures += some.proof.failures;
   report.signs += some.signs;
 }
 

@@ -97,6 +97,7 @@ void add_part(const PairMeasure3& part, PairMeasure3& sum) {
   sum.maps += part.maps;
   sum.pieces += part.pieces;
   sum.nodes += part.nodes;
+  sum.proof += part.proof;
   sum.signs += part.signs;
 }
 
@@ -228,6 +229,7 @@ void prove(const PairSetting3& setting, const MomentOrigin3& origin, long shift,
   EdgeEnclosure3 enclosure(setting.bodies, origin, shift);
   const Enclosure proven = enclosure.enclose(stretches, allowed);
   result.bounds = {std::max(result.bounds.lower, proven.lower), std::min(result.bounds.upper, proven.upper)};
+  result.proof += enclosure.counts();
   if (!(result.bounds.lower <= result.bounds.upper)) throw std::logic_error("what is proven of a pair excludes itself");
   PairMeasure3 bounded = result;
   take_bounds(bounded);

@@ -118,11 +118,13 @@ Ball3<double> EdgeEnclosure3::enclose(const PairStretch3& stretch, double allowe
     }
     Ball3<double> found = enclose(stretch, part, moment, allowed * kOfRules, most);
     const double width = part.piece.high - part.piece.low;
-    if (takes_more_digits_ && found.rad > kOfDoubles * allowed * width + part.gaps * whole)
+    if (takes_more_digits_ && found.rad > kOfDoubles * allowed * width + part.gaps * whole) {
+      ++counts_.redone;
       if (const Ball3<double> finer =
               enclose(stretch, part, moment_of<WideReal>(stretch.line()), allowed * kOfRules, most);
           finer.rad < found.rad)
         found = finer;
+    }
     sum = sum + found;
   }
   gaps = up(gaps + std::max(0.0, stretch.high - end) + 0x1p-53);
@@ -137,6 +139,7 @@ Enclosure EdgeEnclosure3::enclose(const std::vector<PairStretch3>& stretches, do
   for (const bool takes_more_digits : {false, true}) {
     takes_more_digits_ = takes_more_digits;
     sum = {};
+    counts_ = {};
     for (const PairStretch3& stretch : stretches) sum = sum + enclose(stretch, of_each);
     if (sum.rad <= kOfAll * all) break;
   }

@@ -28,6 +28,7 @@ class EdgeEnclosure3 {
   // Of the stretches of a pair. `allowed`: half of how wide it should be; it is not wider than it must for that.
   Enclosure enclose(const std::vector<PairStretch3>& stretches, double allowed);
 
+  // Of what is in the enclosure.
   const ProofCounts3& counts() const { return counts_; }
 
  private:

@@ -16,7 +16,7 @@ using namespace ball_arithmetic_3;
 constexpr int kFewestNodes = 4, kMostNodes = 20;
 constexpr double kMostRho = 5, kLeastRho = 1.7;
 // So often a part is halved, all parts of a piece together, the discs of an ellipse are divided, and so many there are.
-constexpr int kMostHalvings = 24, kAllHalvings = 64, kMostDivisions = 4, kMostDiscs = 80;
+constexpr int kMostHalvings = 40, kAllHalvings = 128, kMostDivisions = 4, kMostDiscs = 80;
 // A bound on an ellipse that is this many times as large as the integrand could be says little.
 constexpr double kLoose = 64;
 
@@ -140,7 +140,6 @@ std::optional<Ball3<double>> PieceEncloser3<Real>::enclose_by_rule(double low, d
       sum = sum + Ball3<Real>{rule.weight[k], last} * integrand(piece_, moment_, low, offset);
     }
     sum = sum * Ball3<Real>{width, kRoundoff<Real> * (high - low)};
-    counts_.nodes += static_cast<std::uint32_t>(n);
     const double value = static_cast<double>(sum.mid);
     if (!(std::isfinite(value) && std::isfinite(sum.rad))) return {};
     ++counts_.parts;
@@ -232,7 +231,6 @@ std::optional<double> PieceEncloser3<Real>::largest_on_ellipse(double middle, do
     const Cell cell = stack[--count];
     if (cell.misses(axes)) continue;
     if (++discs > kMostDiscs) return {};
-    ++counts_.discs;
     // The middle as a double may be off by half a unit of its last place, and so may the middle of the disc.
     const double radius = up(half * cell.radius() + 0x1p-50 * half * rho + 0x1p-52);
     const Disc3 offset{half * cell.x, half * cell.y, radius};

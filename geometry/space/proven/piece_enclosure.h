@@ -7,6 +7,7 @@
 
 #include "geometry/space/pieces/arc_sum.h"
 #include "geometry/space/pieces/sure_part.h"
+#include "geometry/space/proven/proof_counts.h"
 #include "geometry/space/proven/proven_vector.h"
 
 namespace hottel {
@@ -31,14 +32,6 @@ struct ProvenMoment3 {
   LocalVector3<Real> value;
   double error = 0;
   double size = 0;  // no less than its length
-};
-
-// How pieces were proven.
-struct ProofCounts3 {
-  std::uint32_t parts = 0;     // of pieces that were bounded by the ellipse
-  std::uint32_t halvings = 0;  // where a part was too near to where something is singular
-  std::uint32_t failures = 0;  // parts that were left to what can be seen at most
-  std::uint32_t nodes = 0, discs = 0;
 };
 
 // What the rule of n nodes on [-1, 1] is off at most, n >= 2, for a function that is analytic within the ellipse of rho

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "geometry/space/between/sight.h"
+#include "geometry/space/proven/proof_counts.h"
 #include "kernel/determinant.h"
 #include "kernel/enclosure.h"
 
@@ -56,6 +57,7 @@ struct PairMeasure3 {
   // How the number came about.
   std::uint32_t maps = 0, pieces = 0, nodes = 0;
   SignCounts signs;
+  ProofCounts3 proof;
 };
 
 }  // namespace hottel

@@ -46,6 +46,12 @@ std::string factors_json(const FactorsReport3& report) {
                     {"pairs", counts.pairs},       {"hidden", counts.hidden},     {"clear", counts.clear},
                     {"mixed", counts.mixed},       {"maps", counts.maps},         {"pieces", counts.pieces},
                     {"nodes", counts.nodes}};
+  if (counts.proof.parts + counts.proof.failures > 0)
+    json["proof"] = {{"parts", counts.proof.parts},
+                     {"halvings", counts.proof.halvings},
+                     {"redone", counts.proof.redone},
+                     {"unproven", counts.proof.failures},
+                     {"narrowed", counts.proof.narrowed}};
   for (const auto& [tier, count] : factor_counts(counts).tiers) json["tiers"][tier] = count;
   json["seconds"] = counts.seconds;
   json["closure"] = {{"max_defect", counts.max_defect}, {"exact", false}};
@@ -82,6 +88,11 @@ std::string factors_text(const FactorsReport3& report) {
       "; rows sum to 1 within {:.1e}\n"
       "patches that are hidden from each other: {}, clear: {}, with something between: {}; {:.3f} s",
       counts.max_defect, counts.hidden, counts.clear, counts.mixed, seconds);
+  if (counts.proof.parts + counts.proof.failures > 0)
+    text += fmt::format(
+        "\nparts of edges that are proven: {}, by {} halvings; {} of them with more digits, {} left to what is seen at "
+        "most; rows narrow {} pairs",
+        counts.proof.parts, counts.proof.halvings, counts.proof.redone, counts.proof.failures, counts.proof.narrowed);
   if (counts.sky) text += "\n" + sky_text(*counts.sky);
   if (report.store) text += "\n" + store_text(*report.store);
   if (report.gray) text += "\n" + gray_text(*report.gray);

@@ -153,6 +153,7 @@ ExchangeMatrix enclosed_exchange(const PreparedScene2& prepared, const std::func
     report.notes.push_back(fmt::format("of {} pairs it is not decided whether they see each other", undecided));
   ExchangeMatrix matrix(table.elements(), Guarantee::kEnclosed);
   matrix.assign(std::move(begin), std::move(entries), {}, std::move(bounds));
+  matrix.promise_closed_rows();
   return matrix;
 }
 

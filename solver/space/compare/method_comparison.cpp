@@ -14,6 +14,7 @@ ComparisonReference<PreparedScene3> reference_of(const Simulation3& simulation, 
   const Simulation3 by_elements = simulation.with_request({.factors = {.granularity = Granularity::kElement,
                                                                        .wants_visibility = true,
                                                                        .tolerance = asked.tolerance,
+                                                                       .must_be_enclosed = asked.must_be_enclosed,
                                                                        .memory = asked.memory,
                                                                        .store = asked.store}});
   const auto prepared = by_elements.prepared(progress);

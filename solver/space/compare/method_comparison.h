@@ -14,8 +14,8 @@ struct IlluminationGrid3;
 // A scene in space, ready to judge methods: as MethodComparison.
 class MethodComparison3 : public MethodComparison<PreparedScene3> {
  public:
-  // Of the simulation only the scene, the tolerance and the memory allowed matter. COST: the exact factors and one
-  // solution.
+  // Of the simulation only the scene, the tolerance, whether factors must be enclosed, and the memory allowed matter.
+  // COST: the exact factors and one solution.
   explicit MethodComparison3(const Simulation3& simulation, const StageProgress& progress = {});
 };
 

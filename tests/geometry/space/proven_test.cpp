@@ -17,6 +17,7 @@
 #include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/proven/edge_enclosure.h"
 #include "geometry/space/stretches/surface_stretches.h"
+#include "io/scene/scene_json.h"
 #include "tests/comparison/space/pair_scene.h"
 #include "tests/oracle/space/random_polygons.h"
 
@@ -321,6 +322,14 @@ TEST_F(ProvenRoom, FactorsAreEnclosed) {
     EXPECT_GE(upper, 1 - 1e-15);
     EXPECT_LE(upper - lower, 1e-7);
   }
+}
+
+// Walls typed to six digits stand 1e-7 off the edges of the floor: what is singular is as near to these edges.
+TEST(ProvenSlits, AreAsNarrowAsAnythingElse) {
+  const Scene3 room = read_scene_3(HOTTEL_SOURCE_DIR "/scenes/space/room_six_digits.json");
+  const ExchangeMatrix proven = exact_exchange(prepare(room), {.wants_visibility = false, .proves = true});
+  EXPECT_NO_THROW(require_enclosed_3(proven, 1e-9));
+  EXPECT_EQ(proven.guarantee(), Guarantee::kEnclosed);
 }
 
 }  // namespace

@@ -76,6 +76,41 @@ TEST_P(AnalyticScenes3, HaveTheValuesOfTheirFile) {
   }
 }
 
+// Proven: whatever is asked, the values of the file, to the digits that it has, are within bounds as narrow as that.
+TEST_P(AnalyticScenes3, HaveTheValuesOfTheirFileWithinProvenBounds) {
+  const PreparedScene3 prepared = prepare(read_scene_3(folder() / "analytic" / "space" / (GetParam() + ".json")));
+  for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
+    const auto proven = [&](Granularity granularity) {
+      ExchangeMatrix matrix = exact_exchange(
+          prepared, {.granularity = granularity, .wants_visibility = false, .tolerance = tolerance, .proves = true});
+      EXPECT_NO_THROW(require_enclosed_3(matrix, tolerance));
+      return matrix;
+    };
+    const ExchangeMatrix faces = proven(Granularity::kFace), groups = proven(Granularity::kGroup);
+    const RadiositySolution light = solve_radiosity(faces, prepared.scene.materials, prepared.scene.sky_emission);
+    for (const Expectation& row : prepared.scene.expect) {
+      const double expected = to_double(parse_rational(row.value).value()), slack = 1e-15 * expected;
+      if (row.quantity == "radiosity") {
+        const ElementRadiosity& element = light.channels.at(0).elements.at(faces.find(row.of.at(0)).value());
+        EXPECT_LE(element.lower - slack, expected) << row.name;
+        EXPECT_GE(element.upper + slack, expected) << row.name;
+        continue;
+      }
+      const ExchangeMatrix& matrix = row.quantity == "factor" ? faces : groups;
+      const std::uint32_t from = matrix.find(row.of.at(0)).value();
+      double lower = 0, upper = 0;
+      for (std::size_t k = 0; k < matrix.row(from).size(); ++k) {
+        if (std::find(row.of.begin() + 1, row.of.end(), matrix.name(matrix.row(from)[k].to)) == row.of.end()) continue;
+        lower += matrix.bounds(from, k).lower;
+        upper += matrix.bounds(from, k).upper;
+      }
+      EXPECT_LE(lower - slack, expected) << row.name;
+      EXPECT_GE(upper + slack, expected) << row.name;
+      EXPECT_LE(upper - lower, 64 * tolerance) << row.name;
+    }
+  }
+}
+
 TEST_P(AnalyticScenes3, HaveClosedRows) {
   const ExchangeMatrix matrix =
       factors_of(prepare(read_scene_3(folder() / "analytic" / "space" / (GetParam() + ".json"))));

@@ -79,8 +79,8 @@ TEST(Simulation3, AFurnaceIsWithinItsBoundsWhereFactorsAreEnclosed) {
         const ElementRadiosity& element = channel.elements[i];
         EXPECT_LE(element.lower, 100);
         EXPECT_GE(element.upper, 100);
-        EXPECT_LE(element.upper - element.lower, 1e-4);
-        EXPECT_NEAR(element.radiosity, 100, 1e-6);
+        EXPECT_LE(element.upper - element.lower, 1e-9);
+        EXPECT_NEAR(element.radiosity, 100, 1e-9);
       }
   }
 }
