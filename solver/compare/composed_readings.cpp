@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -174,22 +173,12 @@ bool Predictions::may_go_to_sky(const JudgedPair& pair, double ratio) const {
 
 // Whether pairs that are wholly hidden, and are 0 in the file, would have more than `most` factors.
 bool Predictions::sees_what_is_hidden(const Reading& reading, double ratio, double most) const {
-  if (reading.hiding != Hiding::kNone) return false;
-  const std::uint32_t n = judged_.exact().size();
   double count = 0;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    if (!judged_.exact().has_row(i)) continue;
-    const auto row = judged_.row(i);
-    auto next = row.begin();
-    for (std::uint32_t j = 0; j < n; ++j) {
-      while (next != row.end() && next->to < j) ++next;
-      if ((next != row.end() && next->to == j) || !judged_.has_place(i, j)) continue;
-      const auto prediction = of(reading, i, j);
-      count += prediction && std::abs(ratio * prediction->value) > 2 * judged_.tolerance(0);
-      if (count > most) return true;
-    }
-  }
-  return false;
+  return reading.hiding == Hiding::kNone && judged_.any_of_zeros([&](std::uint32_t i, std::uint32_t j) {
+    const auto prediction = of(reading, i, j);
+    count += prediction && std::abs(ratio * prediction->value) > 2 * judged_.tolerance(0);
+    return count > most;
+  });
 }
 
 std::optional<Hypothesis> Predictions::explained(const Reading& reading, const Ratio& ratio) const {
@@ -260,8 +249,8 @@ ExchangeMatrix divided_by(double ratio, const ExchangeMatrix& matrix) {
   return result;
 }
 
-// No order changes what all factors between faces sum to, nor the largest of them.
-std::optional<Ratio> ratio_of_sums(const ExchangeMatrix& matrix, const ExchangeMatrix& predicted) {
+// The ratio of the largest factors between faces, by size: no order changes these. Nothing where they differ otherwise.
+std::optional<Ratio> ratio_of_largest(const ExchangeMatrix& matrix, const ExchangeMatrix& predicted) {
   const auto sorted = [](const ExchangeMatrix& of) {
     std::vector<double> values;
     for (std::uint32_t i = 0; i < of.size(); ++i)
@@ -284,7 +273,7 @@ std::optional<Ratio> ratio_of_sums(const ExchangeMatrix& matrix, const ExchangeM
 
 std::optional<Hypothesis> reordered(const Predictions& predictions, const Reading& reading, const JudgedPairs& judged) {
   const ExchangeMatrix predicted = predicted_matrix(predictions, reading, judged);
-  const std::optional<Ratio> ratio = ratio_of_sums(judged.matrix(), predicted);
+  const std::optional<Ratio> ratio = ratio_of_largest(judged.matrix(), predicted);
   if (!ratio || (ratio->value == 1 && reading.price() == 0)) return std::nullopt;  // that alone is known
   const ExchangeMatrix scaled = divided_by(ratio->value, judged.matrix());
   const JudgedPairs frame(predicted, scaled, judged.tolerance(0) / std::min(1.0, std::abs(ratio->value)),

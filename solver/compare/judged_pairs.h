@@ -49,6 +49,10 @@ class JudgedPairs {
   std::span<const JudgedPair> row(std::uint32_t i) const {
     return pairs().subspan(begin_[i], begin_[i + 1] - begin_[i]);
   }
+  // Calls visit(from, to) for each pair of elements with a place that is 0 in both matrices, until it returns true.
+  // Returns whether it did. COST: the square of the number of elements.
+  template <class Visit>
+  bool any_of_zeros(const Visit& visit) const;
   // The place of a pair in pairs(). REQUIRES a reference into pairs(), not a copy.
   std::size_t index_of(const JudgedPair& pair) const { return static_cast<std::size_t>(&pair - pairs_.data()); }
   std::uint64_t off() const { return off_; }
@@ -70,5 +74,18 @@ class JudgedPairs {
   std::vector<std::size_t> begin_;
   std::uint64_t off_ = 0;
 };
+
+template <class Visit>
+bool JudgedPairs::any_of_zeros(const Visit& visit) const {
+  for (std::uint32_t i = 0; i < exact_->size(); ++i) {
+    if (!exact_->has_row(i)) continue;
+    auto next = row(i).begin();
+    for (std::uint32_t j = 0; j < exact_->size(); ++j) {
+      while (next != row(i).end() && next->to < j) ++next;
+      if ((next == row(i).end() || next->to != j) && has_place(i, j) && visit(i, j)) return true;
+    }
+  }
+  return false;
+}
 
 }  // namespace hottel

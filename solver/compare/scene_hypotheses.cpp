@@ -18,19 +18,9 @@ namespace {
 
 // Whether some pair would exchange something by its centres, is wholly hidden, and is 0 in the file.
 bool hides_a_pair(const JudgedScene& scene, const JudgedPairs& judged) {
-  const std::uint32_t n = judged.exact().size();
-  for (std::uint32_t i = 0; i < n; ++i) {
-    if (!judged.exact().has_row(i)) continue;
-    const auto row = judged.row(i);
-    auto next = row.begin();
-    for (std::uint32_t j = 0; j < n; ++j) {
-      while (next != row.end() && next->to < j) ++next;
-      const bool is_there = next != row.end() && next->to == j;
-      if (!is_there && judged.has_place(i, j) && scene.factor_by(PointRule::kCenter, i, j) > 2 * judged.tolerance(0))
-        return true;
-    }
-  }
-  return false;
+  return judged.any_of_zeros([&](std::uint32_t i, std::uint32_t j) {
+    return scene.factor_by(PointRule::kCenter, i, j) > 2 * judged.tolerance(0);
+  });
 }
 
 }  // namespace
