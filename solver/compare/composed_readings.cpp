@@ -74,9 +74,6 @@ class Predictions {
 
   bool may_go_to_sky(const JudgedPair& pair, double ratio) const;
 
-  // From here on what hidden pairs would exchange is predicted to the last digit, be they right in the file or not.
-  void ask_for_all_digits() { is_exact_ = true; }
-
  private:
   std::uint32_t sky() const { return judged_.exact().sky(); }
   double area(std::uint32_t i) const { return judged_.exact().elements()[i].area.value; }
@@ -95,10 +92,8 @@ class Predictions {
   const JudgedPairs& judged_;
   const std::vector<double>& unobstructed_;
   std::vector<const JudgedPair*> sample_;
-  bool is_exact_ = false;
 };
 
-// Of a pair that is wholly hidden and right what its centres give, unless it is asked for to the last digit.
 double Predictions::unobstructed(std::uint32_t from, std::uint32_t to, const std::optional<FactorEntry>& entry) const {
   if (entry && entry->visibility > 0) return entry->factor.value / entry->visibility;
   const auto known = [&](std::uint32_t i, std::uint32_t j) -> const JudgedPair* {
@@ -109,7 +104,7 @@ double Predictions::unobstructed(std::uint32_t from, std::uint32_t to, const std
   };
   if (const JudgedPair* pair = known(from, to)) return unobstructed_[judged_.index_of(*pair)];
   if (const JudgedPair* pair = known(to, from)) return unobstructed_[judged_.index_of(*pair)] * area(to) / area(from);
-  return is_exact_ ? scene_.unobstructed_factor(from, to) : scene_.factor_by(PointRule::kCenter, from, to);
+  return scene_.unobstructed_factor(from, to);
 }
 
 std::optional<Prediction> Predictions::of(const Reading& reading, std::uint32_t from, std::uint32_t to) const {
@@ -184,7 +179,7 @@ bool Predictions::sees_what_is_hidden(const Reading& reading, double ratio, doub
 std::optional<Hypothesis> Predictions::explained(const Reading& reading, const Ratio& ratio) const {
   Hypothesis result = explains_nothing(Fault::kMethod, judged_);
   const double most = (1 - kLeastShareOfComposed) * static_cast<double>(judged_.off());
-  double disagree = 0;
+  double disagree = 0, lit = 0;  // lit: though wholly hidden, as predicted
   std::vector<double> values;
   for (const JudgedPair& pair : judged_.pairs()) {
     if (pair.to == sky()) {
@@ -198,12 +193,13 @@ std::optional<Hypothesis> Predictions::explained(const Reading& reading, const R
     if (!is_right || !pair.is_off) continue;
     result.explains[judged_.index_of(pair)] = 1;
     if (prediction->value != 0) values.push_back(prediction->value);
+    lit += pair.visibility == 0 && prediction->value != 0;
   }
   std::sort(values.begin(), values.end());
   const auto end = std::unique(values.begin(), values.end(),
                                [](double a, double b) { return std::abs(b - a) <= 1e-9 * std::abs(b); });
   if (static_cast<std::size_t>(end - values.begin()) < kFewestValues) return std::nullopt;
-  if (sees_what_is_hidden(reading, ratio.value, most - disagree)) return std::nullopt;
+  if (sees_what_is_hidden(reading, ratio.value, (1 - kLeastShareOfComposed) * lit)) return std::nullopt;
   return result;
 }
 
@@ -314,7 +310,7 @@ std::vector<Reading> readings_of(const JudgedScene& scene) {
 std::optional<Hypothesis> suppose_composed(const JudgedScene& scene, const JudgedPairs& judged,
                                            const std::vector<double>& unobstructed, Orders orders) {
   const bool is_large = judged.exact().size() > kMostApproximated;
-  Predictions predictions(scene, judged, unobstructed);
+  const Predictions predictions(scene, judged, unobstructed);
   struct Candidate {
     Reading reading;
     Ratio ratio;
@@ -342,7 +338,6 @@ std::optional<Hypothesis> suppose_composed(const JudgedScene& scene, const Judge
     told(candidate.reading, candidate.ratio).tell(*best);
   }
   if (best || orders == Orders::kRight || judged.exact().size() > kMostReordered) return best;
-  predictions.ask_for_all_digits();
   for (const Reading& reading : readings_of(scene))
     if (reading.hiding != Hiding::kAllOrNothing && reading.orientation->from_power == 0 &&
         reading.orientation->to_power == 0)

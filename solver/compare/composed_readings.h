@@ -26,7 +26,8 @@ inline constexpr double kLeastShareOfComposed = 0.95;  // of the pairs off, and 
 //   c   is 1 (0), a constant with a name (1), or any (2); the median of the ratios
 //
 //   (1) nothing is claimed that was not applied: a pair counts as explained only where its value agrees with the
-//       prediction, and as many pairs as are off by less than 1 in 20 may disagree, those that are right included
+//       prediction, and as many pairs as are off by less than 1 in 20 may disagree, those that are right included; of
+//       those that nothing would hide 1 in 20 may be 0
 //   (2) it rests on kFewestValues different numbers or more
 //   (3) of readings that explain equally much the one of the lowest price is returned
 //   (4) the sky is no evidence. What goes there agrees with the exact factor, the same times c, 0, or the rest of the

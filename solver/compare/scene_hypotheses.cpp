@@ -16,11 +16,10 @@ namespace hottel {
 
 namespace {
 
-// Whether some pair would exchange something by its centres, is wholly hidden, and is 0 in the file.
+// Whether some pair would exchange something, is wholly hidden, and is 0 in the file.
 bool hides_a_pair(const JudgedScene& scene, const JudgedPairs& judged) {
-  return judged.any_of_zeros([&](std::uint32_t i, std::uint32_t j) {
-    return scene.factor_by(PointRule::kCenter, i, j) > 2 * judged.tolerance(0);
-  });
+  return judged.any_of_zeros(
+      [&](std::uint32_t i, std::uint32_t j) { return scene.unobstructed_factor(i, j) > 2 * judged.tolerance(0); });
 }
 
 }  // namespace

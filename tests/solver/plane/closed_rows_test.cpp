@@ -16,6 +16,7 @@
 #include "kernel/support/failure.h"
 #include "solver/radiosity/gray_exchange.h"
 #include "solver/radiosity/radiosity_solver.h"
+#include "tests/solver/plane/bounds_hold.h"
 #include "tests/solver/plane/exact_radiosity.h"
 
 namespace hottel::closed_rows_test {
@@ -79,50 +80,8 @@ WideFactors moved(const ExchangeMatrix& matrix, WideFactors factors, std::mt1993
   return factors;
 }
 
-// How the bounds of solutions hold.
-struct Check {
-  std::size_t checked = 0, misses = 0;
-  std::string first_miss;
-
-  void add(const ExchangeMatrix& matrix, const WideFactors& factors, const RadiositySolution& solution,
-           const std::vector<Material>& materials, const Spectrum& sky) {
-    const auto radiosity = radiosity_of(matrix, factors, materials, sky, 0);
-    for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-      if (!matrix.has_row(i)) continue;
-      const ElementRadiosity& e = solution.channels[0].elements[i];
-      mpf_class irradiance = factors[i][matrix.sky()] * number(sky.value[0]);
-      for (std::uint32_t j = 0; j < matrix.size(); ++j) irradiance += factors[i][j] * radiosity[j];
-      const Material& material = materials[*matrix.elements()[i].material];
-      const mpf_class net =
-          number(material.emission.value[0]) - (1 - number(material.reflectivity.value[0])) * irradiance;
-      require(i, radiosity[i], {e.lower, e.upper}, e.radiosity, "radiosity");
-      require(i, net, {e.net_lower, e.net_upper}, e.net_value, "net");
-    }
-  }
-
- private:
-  void require(std::uint32_t i, const mpf_class& real, const Enclosure& bounds, double value, const char* what) {
-    ++checked;
-    const mpf_class slack = (abs(real) + 1) * 1e-75;  // what the reference itself may be off by
-    const bool holds = (std::isinf(bounds.lower) || mpf_class(bounds.lower, kBits) <= real + slack) &&
-                       (std::isinf(bounds.upper) || mpf_class(bounds.upper, kBits) >= real - slack) &&
-                       bounds.contains(value);
-    if (!holds && ++misses == 1)
-      first_miss =
-          fmt::format("{} of {}: {} in [{}, {}], real {}", what, i, value, bounds.lower, bounds.upper, real.get_d());
-  }
-};
-
-std::optional<RadiositySolution> solution_of(const ExchangeMatrix& matrix, const Scene2& scene) {
-  try {
-    return solve_radiosity(matrix, scene.materials, scene.sky_emission);
-  } catch (const RequestError&) {
-    return std::nullopt;
-  }
-}
-
 TEST(ClosedRows, BoundRadiositiesOfAllSuchFactorsWithin) {
-  Check check;
+  BoundsHold check;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     std::mt19937_64 random(seed);
     const ExactScene scene(random_scene(seed), seed % 5 == 0 ? Divided2::kYes : Divided2::kNo);
@@ -275,7 +234,7 @@ TEST(ClosedRows, ThatCannotBeAreRefused) {
 
 // Sources that are known within bounds of their own, each end of which is solved for.
 TEST(ClosedRows, BoundRadiositiesOfSourcesThatAreOnlyEnclosed) {
-  Check check;
+  BoundsHold check;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     std::mt19937_64 random(seed);
     const ExactScene scene(random_scene(seed));

@@ -14,6 +14,7 @@
 #include "kernel/support/failure.h"
 #include "solver/radiosity/a_priori_bounds.h"
 #include "solver/radiosity/net_flux.h"
+#include "tests/solver/plane/bounds_hold.h"
 #include "tests/solver/plane/exact_radiosity.h"
 
 namespace hottel::enclosed_radiosity_test {
@@ -74,54 +75,10 @@ WideFactors random_factors(const ExchangeMatrix& matrix, std::mt19937_64& random
   });
 }
 
-// One set of factors, its radiosities, and how the bounds of a solution hold for them.
-struct WithinCheck {
-  std::size_t checked = 0, misses = 0, open = 0;
-  std::string first_miss;
-
-  void add(const ExchangeMatrix& matrix, const WideFactors& factors, const RadiositySolution& solution,
-           const std::vector<Material>& materials, const Spectrum& sky) {
-    const auto radiosity = radiosity_of(matrix, factors, materials, sky, 0);
-    for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-      if (!matrix.has_row(i)) continue;
-      const ElementRadiosity& e = solution.channels[0].elements[i];
-      mpf_class irradiance = factors[i][matrix.sky()] * number(sky.value[0]);
-      for (std::uint32_t j = 0; j < matrix.size(); ++j) irradiance += factors[i][j] * radiosity[j];
-      const Material& material = materials[*matrix.elements()[i].material];
-      const mpf_class net =
-          number(material.emission.value[0]) - (1 - number(material.reflectivity.value[0])) * irradiance;
-      require(i, radiosity[i], {e.lower, e.upper}, e.radiosity, "radiosity");
-      require(i, net, {e.net_lower, e.net_upper}, e.net_value, "net");
-    }
-  }
-
- private:
-  void require(std::uint32_t i, const mpf_class& real, const Enclosure& bounds, double value, const char* what) {
-    ++checked;
-    open += std::isinf(bounds.upper) || std::isinf(bounds.lower);
-    const mpf_class slack = (abs(real) + 1) * 1e-75;  // what the reference itself may be off by
-    const bool holds = (std::isinf(bounds.lower) || mpf_class(bounds.lower, kBits) <= real + slack) &&
-                       (std::isinf(bounds.upper) || mpf_class(bounds.upper, kBits) >= real - slack) &&
-                       bounds.contains(value);
-    if (!holds && ++misses == 1)
-      first_miss =
-          fmt::format("{} of {}: {} in [{}, {}], real {}", what, i, value, bounds.lower, bounds.upper, real.get_d());
-  }
-};
-
-// Nothing where light does not die out for the doubles themselves.
-std::optional<RadiositySolution> solution_of(const ExchangeMatrix& matrix, const Scene2& scene) {
-  try {
-    return solve_radiosity(matrix, scene.materials, scene.sky_emission);
-  } catch (const RequestError&) {
-    return std::nullopt;
-  }
-}
-
 bool is_bounded(const RadiositySolution& solution) { return std::isfinite(solution.max_relative_width); }
 
 TEST(EnclosedFactors, BoundRadiositiesOfAllFactorsWithin) {
-  WithinCheck check;
+  BoundsHold check;
   std::size_t bounded = 0;
   for (std::uint64_t seed = 0; seed < 120; ++seed) {
     std::mt19937_64 random(seed);
@@ -238,7 +195,7 @@ TEST(EnclosedFactors, BoundRadiositiesOfEverySolver) {
       options.solver = solver;
       options.iterations = iterations;
       const RadiositySolution solution = solve_radiosity(matrix, materials, {}, options);
-      WithinCheck check;
+      BoundsHold check;
       std::mt19937_64 random(1);
       for (int k = 0; k < 8; ++k) check.add(matrix, random_factors(matrix, random), solution, materials, {});
       EXPECT_EQ(check.misses, 0u) << to_string(solver) << " " << check.first_miss;
@@ -341,7 +298,7 @@ ExchangeMatrix mixed(const ExactScene& scene, double width, bool has_estimates, 
 }
 
 TEST(MixedFactors, BoundRadiositiesOfAllFactorsWithinWhereNoneIsEstimated) {
-  WithinCheck check;
+  BoundsHold check;
   std::size_t bounded = 0;
   for (std::uint64_t seed = 0; seed < 80; ++seed) {
     std::mt19937_64 random(seed);
@@ -364,7 +321,7 @@ TEST(MixedFactors, BoundRadiositiesOfAllFactorsWithinWhereNoneIsEstimated) {
 }
 
 TEST(MixedFactors, BoundRadiositiesOfThePrintedFactorsWhereSomeAreEstimated) {
-  WithinCheck check;
+  BoundsHold check;
   std::size_t solutions = 0, missed_by_the_scene = 0;
   for (std::uint64_t seed = 0; seed < 80; ++seed) {
     std::mt19937_64 random(seed);
@@ -388,7 +345,7 @@ TEST(MixedFactors, BoundRadiositiesOfThePrintedFactorsWhereSomeAreEstimated) {
         }
       check.add(matrix, printed, *solved, plan.materials, plan.sky_emission);
     }
-    WithinCheck of_scene;
+    BoundsHold of_scene;
     of_scene.add(matrix, scene.factors(), *solved, plan.materials, plan.sky_emission);
     missed_by_the_scene += of_scene.misses > 0;
   }
@@ -432,7 +389,7 @@ TEST(CrudeBounds, NarrowThoseOfEnclosedFactorsAndHold) {
     const RadiositySolution& solution = *solved;
     RadiositySolution narrowed = solution;
     set_a_priori_bounds(matrix, plan.materials, plan.sky_emission, narrowed);
-    WithinCheck check;
+    BoundsHold check;
     check.add(matrix, scene.factors(), narrowed, plan.materials, plan.sky_emission);
     EXPECT_EQ(check.misses, 0u) << check.first_miss;
     for (std::size_t i = 0; i < matrix.size(); ++i) {

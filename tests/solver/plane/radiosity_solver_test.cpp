@@ -18,6 +18,7 @@
 #include "kernel/support/parallel.h"
 #include "solver/radiosity/a_priori_bounds.h"
 #include "solver/radiosity/net_flux.h"
+#include "tests/solver/plane/bounds_hold.h"
 #include "tests/solver/plane/exact_radiosity.h"
 
 namespace hottel::radiosity_solver_test {
@@ -275,9 +276,8 @@ OneLight light_of(const ExchangeMatrix& matrix, const WideFactors& factors, cons
   return result;
 }
 
-struct WithinCheck {
-  std::size_t checked = 0, misses = 0, wide_ends = 0;
-  std::string first_miss;
+struct WithinCheck : BoundsHold {
+  std::size_t wide_ends = 0;
 
   // `is_end`: the numbers are those at which the radiosities have their bounds.
   void add(const ExchangeMatrix& matrix, const WideFactors& factors, const std::vector<Rational>& reflectivity,
@@ -292,18 +292,6 @@ struct WithinCheck {
       require(i, net, {e.net_lower, e.net_upper}, e.net_value, "net");
       if (end && abs(light.radiosity[i] - mpf_class(e.*end, kBits)) > 1e-13 * light.radiosity[i]) ++wide_ends;
     }
-  }
-
- private:
-  void require(std::uint32_t i, const mpf_class& real, const Enclosure& bounds, double value, const char* what) {
-    ++checked;
-    const mpf_class slack = (abs(real) + 1) * 1e-75;  // what the reference itself may be off by
-    const bool holds = (std::isinf(bounds.lower) || mpf_class(bounds.lower, kBits) <= real + slack) &&
-                       (std::isinf(bounds.upper) || mpf_class(bounds.upper, kBits) >= real - slack) &&
-                       bounds.contains(value);
-    if (!holds && ++misses == 1)
-      first_miss =
-          fmt::format("{} of {}: {} in [{}, {}], real {}", what, i, value, bounds.lower, bounds.upper, real.get_d());
   }
 };
 

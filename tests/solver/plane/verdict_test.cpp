@@ -301,12 +301,15 @@ TEST(Verdict, FindsOneTriangleAlone) {
 
 TEST(Verdict, FindsFactorsOfAnApproximateMethod) {
   const Judged judged(apartment());
-  for (const char* name : {"center", "vertices", "gauss:2"}) {
+  for (const auto& [name, words] :
+       {std::pair("center", "factors are those between centres; visibility is all or nothing"),
+        std::pair("vertices", "factors are the means over pairs of corners; visibility is all or nothing"),
+        std::pair("gauss:2", "as `gauss:2` gives")}) {
     MethodReport report;
     const ExchangeMatrix matrix = methods_2().make(name)->compute(judged.prepared, {.wants_visibility = false}, report);
     const Verdict verdict = judge(judged.prepared, judged.exact, matrix, {});
     EXPECT_EQ(faults(verdict).at(0), Fault::kMethod) << judged.sentences(verdict);
-    EXPECT_THAT(judged.sentences(verdict), HasSubstr(fmt::format("as `{}` gives", name)));
+    EXPECT_THAT(judged.sentences(verdict), HasSubstr(words));
   }
 }
 
