@@ -153,13 +153,14 @@ bool leans_far(const NoiseBias& bias) {
                      [](const SamplingBias& sum) { return sum.relative > kMostLean; });
 }
 
-// The best frame, and simpler ones first.
-std::optional<Frame> best_frame(const Frames& frames, const ExchangeMatrix& exact, const ExchangeMatrix& uniform) {
+// The best frame, and simpler ones first. uniform: null where that law is not asked for.
+std::optional<Frame> best_frame(const Frames& frames, const ExchangeMatrix& exact, const ExchangeMatrix* uniform) {
   std::vector<Frame> all;
-  for (const bool is_uniform : {false, true})
+  for (const ExchangeMatrix* const law : {&exact, uniform})
     for (const Orientation& orientation : kOrientations) {
-      Frame frame{is_uniform, &orientation, {}};
-      frames.measure(frame, is_uniform ? uniform : exact);
+      if (law == nullptr) continue;
+      Frame frame{law == uniform, &orientation, {}};
+      frames.measure(frame, *law);
       all.push_back(frame);
     }
   std::stable_sort(all.begin(), all.end(), [](const Frame& a, const Frame& b) { return a.price() < b.price(); });
@@ -207,13 +208,15 @@ Hypothesis suppose_scatter(const JudgedScene& scene, const JudgedPairs& judged, 
   const auto noise = sampling_noise(judged, leave_out, may_lean);
   if (noise && (leans_far(noise->bias) || is_geometric(scene, judged, leave_out, noise->is_even)))
     plain = explains_nothing(Fault::kSamplingNoise, judged);
-  if (plain.count() > 0 && !noise->bias.is_biased()) return plain;
   if (judged.exact().size() > kMostApproximated) return plain;
-  const ExchangeMatrix uniform = with_visibilities(scene.uniform_factors(), judged.exact());
+  // The law is only asked for where the errors are no plain scatter: to count uniform rays takes time.
   const Frames frames(judged, leave_out);
-  const auto frame = best_frame(frames, judged.exact(), uniform);
+  std::optional<ExchangeMatrix> uniform;
+  if (plain.count() == 0 || noise->bias.is_biased())
+    uniform = with_visibilities(scene.uniform_factors(), judged.exact());
+  const auto frame = best_frame(frames, judged.exact(), uniform ? &*uniform : nullptr);
   if (!frame || frame->price() == 0) return plain;
-  Hypothesis composed = about(scene, judged, leave_out, frames, *frame, frame->is_uniform ? uniform : judged.exact());
+  Hypothesis composed = about(scene, judged, leave_out, frames, *frame, frame->is_uniform ? *uniform : judged.exact());
   return composed.count() > 0 ? composed : plain;
 }
 
