@@ -12,7 +12,7 @@
 namespace hottel {
 namespace {
 
-// ".csv, .mtx or .txt (View3D)": all that there are.
+// All file endings: ".csv, .mtx or .txt (View3D)".
 std::string all_endings() {
   std::vector<std::string> all;
   for (const FactorFormatRow& row : kFactorFormats)

@@ -1,4 +1,4 @@
-// --guarantee: what is asked of the exact factors in space.
+// The option --guarantee: whether every exact factor in space must have proven bounds.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -10,6 +10,8 @@
 
 #include "geometry/name.h"
 #include "solver/compare/reading_parts.h"
+#include "solver/compare/samples.h"
+#include "solver/methods/factor_rows.h"
 
 namespace hottel {
 namespace {
@@ -60,9 +62,7 @@ class Predictions {
     std::vector<const JudgedPair*> pairs;
     for (const JudgedPair& pair : judged.pairs())
       if (pair.to != sky()) pairs.push_back(&pair);
-    const double step = std::max(1.0, static_cast<double>(pairs.size()) / static_cast<double>(kSample));
-    for (double at = 0; at < static_cast<double>(pairs.size()); at += step)
-      sample_.push_back(pairs[static_cast<std::size_t>(at)]);
+    sample_ = thinned(pairs, kSample);
   }
 
   // The ratio by which most of the sample agrees, where kLeastShareOfSample of it does.
@@ -144,9 +144,7 @@ std::optional<Ratio> Predictions::ratio_of(const Reading& reading) const {
       ratios.push_back(pair->value / predicted);
   }
   if (ratios.size() < kFewestValues) return std::nullopt;
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  const double median = *middle;
+  const double median = middle_of(ratios);
   const std::size_t most = agreeing(predictions, median), without = agreeing(predictions, 1);
   const auto is_enough = [&](std::size_t count) {
     return static_cast<double>(count) >= kLeastShareOfSample * static_cast<double>(sample_.size()) &&
@@ -217,32 +215,22 @@ ToldParts told(const Reading& reading, const Ratio& ratio) {
 // Factors in rows and columns, without the sky: what a reading predicts but for its order.
 ExchangeMatrix predicted_matrix(const Predictions& predictions, const Reading& reading, const JudgedPairs& judged) {
   const ExchangeMatrix& exact = judged.exact();
-  std::vector<std::size_t> begin(1, 0);
-  FactorEntries entries;
-  for (std::uint32_t i = 0; i < exact.size(); ++i) {
+  std::vector<std::vector<FactorEntry>> rows(exact.size());
+  for (std::uint32_t i = 0; i < exact.size(); ++i)
     for (std::uint32_t j = 0; j < exact.size() && exact.has_row(i); ++j)
       if (const auto prediction = predictions.of(reading, i, j);
           prediction && prediction->value != 0 && judged.has_place(i, j))
-        entries.push_back({j, {prediction->value, 0}, 1});
-    begin.push_back(entries.size());
-  }
-  ExchangeMatrix matrix(exact.elements(), Guarantee::kEstimated);
-  matrix.assign(std::move(begin), std::move(entries));
-  return matrix;
+        rows[i].push_back({j, {prediction->value, 0}, 1});
+  return matrix_of_rows(exact.elements(), rows);
 }
 
 // Without the sky.
 ExchangeMatrix divided_by(double ratio, const ExchangeMatrix& matrix) {
-  std::vector<std::size_t> begin(1, 0);
-  FactorEntries entries;
-  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+  std::vector<std::vector<FactorEntry>> rows(matrix.size());
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
     for (const FactorEntry& entry : matrix.row(i))
-      if (entry.to != matrix.sky()) entries.push_back({entry.to, {entry.factor.value / ratio, 0}, 1});
-    begin.push_back(entries.size());
-  }
-  ExchangeMatrix result(matrix.elements(), Guarantee::kEstimated);
-  result.assign(std::move(begin), std::move(entries));
-  return result;
+      if (entry.to != matrix.sky()) rows[i].push_back({entry.to, {entry.factor.value / ratio, 0}, 1});
+  return matrix_of_rows(matrix.elements(), rows);
 }
 
 // The ratio of the largest factors between faces, by size: no order changes these. Nothing where they differ otherwise.
@@ -278,15 +266,12 @@ std::optional<Hypothesis> reordered(const Predictions& predictions, const Readin
     const Hypothesis order = suppose(frame);
     if (static_cast<double>(order.count()) < kLeastShareOfComposed * static_cast<double>(frame.off())) continue;
     if (frame.off() < kFewestValues) continue;
-    std::vector<std::vector<char>> is_wrong(judged.exact().size(),
-                                            std::vector<char>(judged.exact().size() + std::size_t{1}));
-    for (const JudgedPair& pair : frame.pairs())
-      is_wrong[pair.from][pair.to] = static_cast<char>(pair.is_off && order.explains[frame.index_of(pair)] == 0);
+    const LeftWrong is_wrong(frame, order.explains);
     Hypothesis result = explains_nothing(Fault::kPermuted, judged);
     for (const JudgedPair& pair : judged.pairs())
       result.explains[judged.index_of(pair)] = static_cast<char>(
           pair.is_off && (pair.to == judged.exact().sky() ? predictions.may_go_to_sky(pair, ratio->value)
-                                                          : is_wrong[pair.from][pair.to] == 0));
+                                                          : !is_wrong.at(pair.from, pair.to)));
     ToldParts parts = told(reading, *ratio);
     parts.add(order.fault, order.words);
     parts.tell(result);

@@ -10,6 +10,7 @@
 #include "solver/compare/reading_parts.h"
 #include "solver/compare/sampling_noise.h"
 #include "solver/compare/scattered_pairs.h"
+#include "solver/methods/factor_rows.h"
 
 namespace hottel {
 namespace {
@@ -37,7 +38,8 @@ class Frames {
   double found(const Frame& frame, const JudgedPair& pair) const {
     return pair.value / frame.orientation->multiple(area(pair.from), area(pair.to));
   }
-  double law(const Frame& frame, const ExchangeMatrix& law, const JudgedPair& pair) const {
+  // What it scatters about.
+  double right(const Frame& frame, const ExchangeMatrix& law, const JudgedPair& pair) const {
     return frame.orientation->is_transposed ? law.factor(pair.to, pair.from).value
                                             : law.factor(pair.from, pair.to).value;
   }
@@ -63,19 +65,18 @@ class Frames {
 
 // Fits the constant to the sum of all hits, and measures what is left.
 void Frames::measure(Frame& frame, const ExchangeMatrix& law) const {
-  double sum = 0, expected = 0, count = 0;
+  double sum = 0, expected = 0;
   for_each(frame, [&](const JudgedPair& pair) {
     sum += found(frame, pair);
-    expected += this->law(frame, law, pair);
+    expected += right(frame, law, pair);
   });
   if (!(expected > 0) || sum == 0) return;
   const auto mean_square = [&](double ratio) {
-    double squares = 0;
-    count = 0;
+    double squares = 0, count = 0;
     for_each(frame, [&](const JudgedPair& pair) {
-      const double right = this->law(frame, law, pair), error = found(frame, pair) / ratio - right;
-      if (!(right > 1e-6 && right < 1)) return;
-      squares += error * error / variance_of_one(right, RaySpread::kRandom);
+      const double factor = right(frame, law, pair), error = found(frame, pair) / ratio - factor;
+      if (!(factor > 1e-6 && factor < 1)) return;
+      squares += error * error / variance_of_one(factor, RaySpread::kRandom);
       ++count;
     });
     return count > 0 ? squares / count : std::numeric_limits<double>::infinity();
@@ -109,33 +110,21 @@ ExchangeMatrix Frames::straightened(const Frame& frame) const {
     const std::uint32_t i = is_turned ? pair.to : pair.from, j = is_turned ? pair.from : pair.to;
     if (exact.has_row(i)) rows[i].push_back({j, {found(frame, pair) / frame.ratio.value, 0}, 1});
   }
-  std::vector<std::size_t> begin(1, 0);
-  FactorEntries entries;
-  for (std::vector<FactorEntry>& row : rows) {
+  for (std::vector<FactorEntry>& row : rows)
     std::sort(row.begin(), row.end(), [](const FactorEntry& a, const FactorEntry& b) { return a.to < b.to; });
-    entries.append(row);
-    begin.push_back(entries.size());
-  }
-  ExchangeMatrix matrix(exact.elements(), Guarantee::kEstimated);
-  matrix.assign(std::move(begin), std::move(entries));
-  return matrix;
+  return matrix_of_rows(exact.elements(), rows);
 }
 
 // The uniform law with the exact visibilities, which scatter does not change.
 ExchangeMatrix with_visibilities(const ExchangeMatrix& factors, const ExchangeMatrix& exact) {
-  std::vector<std::size_t> begin(1, 0);
-  FactorEntries entries;
-  for (std::uint32_t i = 0; i < factors.size(); ++i) {
+  std::vector<std::vector<FactorEntry>> rows(factors.size());
+  for (std::uint32_t i = 0; i < factors.size(); ++i)
     for (FactorEntry entry : factors.row(i)) {
       const auto known = exact.row(i).find(entry.to);
       entry.visibility = known ? known->visibility : 0;
-      entries.push_back(entry);
+      rows[i].push_back(entry);
     }
-    begin.push_back(entries.size());
-  }
-  ExchangeMatrix result(factors.elements(), Guarantee::kEstimated);
-  result.assign(std::move(begin), std::move(entries));
-  return result;
+  return matrix_of_rows(factors.elements(), rows);
 }
 
 bool is_geometric(const JudgedScene& scene, const JudgedPairs& judged, const std::vector<char>& leave_out,
@@ -181,15 +170,13 @@ Hypothesis about(const JudgedScene& scene, const JudgedPairs& judged, const std:
                              judged.places());
   const auto noise = sampling_noise(straight, {}, false);
   if (!noise || noise->bias.is_biased() || is_geometric(scene, straight, {}, noise->is_even)) return nothing;
-  std::vector<std::vector<char>> is_wrong(law.size(), std::vector<char>(law.size() + std::size_t{1}));
-  for (const JudgedPair& pair : straight.pairs())
-    is_wrong[pair.from][pair.to] = static_cast<char>(pair.is_off && noise->explains[straight.index_of(pair)] == 0);
+  const LeftWrong is_wrong(straight, noise->explains);
   Hypothesis result = nothing;
   for (const JudgedPair& pair : judged.pairs()) {
     const bool is_turned = frame.orientation->is_transposed && pair.to != law.sky();
     const std::uint32_t i = is_turned ? pair.to : pair.from, j = is_turned ? pair.from : pair.to;
     const bool is_left_out = !leave_out.empty() && leave_out[judged.index_of(pair)];
-    result.explains[judged.index_of(pair)] = static_cast<char>(pair.is_off && !is_left_out && is_wrong[i][j] == 0);
+    result.explains[judged.index_of(pair)] = static_cast<char>(pair.is_off && !is_left_out && !is_wrong.at(i, j));
   }
   ToldParts parts;
   if (frame.is_uniform) parts.add(Fault::kEmission, "rays leave evenly in all directions, not by the cosine");
@@ -204,10 +191,12 @@ Hypothesis about(const JudgedScene& scene, const JudgedPairs& judged, const std:
 
 Hypothesis suppose_scatter(const JudgedScene& scene, const JudgedPairs& judged, const std::vector<char>& leave_out,
                            bool may_lean) {
-  Hypothesis plain = suppose_sampling_noise(judged, leave_out, may_lean);
+  Hypothesis plain = explains_nothing(Fault::kSamplingNoise, judged);
   const auto noise = sampling_noise(judged, leave_out, may_lean);
-  if (noise && (leans_far(noise->bias) || is_geometric(scene, judged, leave_out, noise->is_even)))
-    plain = explains_nothing(Fault::kSamplingNoise, judged);
+  if (noise && !leans_far(noise->bias) && !is_geometric(scene, judged, leave_out, noise->is_even)) {
+    plain.explains = noise->explains;
+    plain.words = noise_words(*noise);
+  }
   if (judged.exact().size() > kMostApproximated) return plain;
   // The law is only asked for where the errors are no plain scatter: to count uniform rays takes time.
   const Frames frames(judged, leave_out);

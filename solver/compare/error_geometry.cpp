@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/compare/noise_bias.h"
+#include "solver/compare/samples.h"
 
 namespace hottel {
 namespace {
@@ -19,16 +20,6 @@ struct PlacedError {
   std::array<double, kCoordinates> at;
   double error;  // over its standard deviation
 };
-
-// Every n-th one, so that at most `most` are left.
-template <class T>
-std::vector<T> thinned(const std::vector<T>& all, std::size_t most) {
-  std::vector<T> some;
-  const double step = std::max(1.0, static_cast<double>(all.size()) / static_cast<double>(most));
-  for (double at = 0; at < static_cast<double>(all.size()); at += step)
-    some.push_back(all[static_cast<std::size_t>(at)]);
-  return some;
-}
 
 double square_of_distance(const PlacedError& a, const PlacedError& b) {
   double sum = 0;
@@ -55,7 +46,7 @@ GeometricShare geometric_share(const JudgedScene& scene, const JudgedPairs& judg
                                std::span<const ScatteredPair> pairs) {
   const ExchangeMatrix& exact = judged.exact();
   std::vector<PlacedError> placed;
-  for (const ScatteredPair& each : thinned(std::vector(pairs.begin(), pairs.end()), kCompared)) {
+  for (const ScatteredPair& each : thinned(pairs, kCompared)) {
     const JudgedPair& pair = *each.pair;
     if (pair.to == exact.sky()) continue;
     const auto place = scene.place_of(pair.from, pair.to);
@@ -71,9 +62,7 @@ GeometricShare geometric_share(const JudgedScene& scene, const JudgedPairs& judg
   std::vector<double> sizes;
   for (const PlacedError& each : placed) sizes.push_back(std::abs(each.error));
   if (sizes.size() < 3) return {};
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  const double most = 4 * *middle;
+  const double most = 4 * middle_of(sizes);
   for (PlacedError& each : placed) each.error = std::clamp(each.error, -most, most);
   double products = 0, squares = 0;
   std::size_t count = 0;

@@ -34,6 +34,14 @@ struct PairPlace {
   double from_cosine = 0, to_cosine = 0;  // of the angles between the line of the middles and the normals
 };
 
+// The same from the way between the middles, and the normals, which have the length 1.
+template <class Vector>
+PairPlace pair_place(const Vector& way, const Vector& from_normal, const Vector& to_normal) {
+  const double distance = length(way);
+  if (!(distance > 0)) return {};
+  return {distance, dot(from_normal, way) / distance, -dot(to_normal, way) / distance};
+}
+
 // A scene whose factors are judged. Hypotheses that follow from more than the numbers ask it; they know of no
 // dimension. Asked only when some pair is off. For several threads at once.
 class JudgedScene {

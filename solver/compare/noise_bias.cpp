@@ -13,6 +13,7 @@
 
 #include "geometry/name.h"
 #include "solver/compare/named_factors.h"
+#include "solver/compare/samples.h"
 
 namespace hottel {
 namespace {
@@ -102,7 +103,7 @@ class BiasTests {
   std::span<const ScatteredPair> pairs_;
   RaySpread spread_;
   double scale_, rays_;
-  RowSums rows_;
+  RowClosure rows_;
   bool is_counter_ = false;  // more rows are exact than would be where pairs are counted one by one
   std::vector<char> is_row_off_;
   bool is_symmetric_ = false;
@@ -171,10 +172,8 @@ double BiasTests::widening(Row row) const {
   if (row.size() < kFewestOfRow) return 1;
   std::vector<double> squares;
   for (const ScatteredPair& each : row) squares.push_back(each.rest * each.rest * scale_ / each.variance);
-  const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
-  std::nth_element(squares.begin(), middle, squares.end());
   const auto count = static_cast<double>(row.size());
-  return std::max(1.0, *middle / kMedianOfSquares * count / (count - 2));
+  return std::max(1.0, middle_of(squares) / kMedianOfSquares * count / (count - 2));
 }
 
 void BiasTests::add_row(Row row) {

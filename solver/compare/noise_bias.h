@@ -18,14 +18,14 @@ struct SamplingBias {
 };
 
 // What the sums of rows tell. A counter that counts every ray has sums that are exact; one that loses some has not.
-struct RowSums {
+struct RowClosure {
   std::size_t exact = 0, off = 0;  // of rows with two pairs off or more, of which the file has all columns
   double most = 0;                 // the largest defect
 };
 
 struct NoiseBias {
   std::vector<SamplingBias> sums;  // the surest first, no two with a column or a row in common
-  RowSums rows;
+  RowClosure rows;
   bool is_leaky = false;  // more rows are exact than chance would have it, as of a counter, and others are not
 
   bool is_biased() const { return is_leaky || !sums.empty(); }

@@ -5,12 +5,14 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "solver/compare/hypotheses.h"
+#include "solver/compare/judged_pairs.h"
 #include "solver/compare/named_factors.h"
 
 namespace hottel {
@@ -56,6 +58,25 @@ inline std::optional<Ratio> named_ratio(double ratio, double near) {
       best = Ratio{named.value, named.words};
   return best;
 }
+
+// Which pairs of a frame, the numbers of a file as they would be but for some faults, are still wrong: off, and not
+// explained there.
+class LeftWrong {
+ public:
+  // explains: by place in frame.pairs().
+  LeftWrong(const JudgedPairs& frame, const std::vector<char>& explains)
+      : columns_(frame.exact().size() + std::size_t{1}), is_wrong_(frame.exact().size() * columns_, 0) {
+    for (const JudgedPair& pair : frame.pairs())
+      is_wrong_[place(pair.from, pair.to)] = static_cast<char>(pair.is_off && explains[frame.index_of(pair)] == 0);
+  }
+  bool at(std::uint32_t from, std::uint32_t to) const { return is_wrong_[place(from, to)] != 0; }
+
+ private:
+  std::size_t place(std::uint32_t from, std::uint32_t to) const { return from * columns_ + to; }
+
+  std::size_t columns_;  // the sky last
+  std::vector<char> is_wrong_;
+};
 
 // The faults that a reading is made of, in words.
 class ToldParts {

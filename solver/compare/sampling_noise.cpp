@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "kernel/support/counted.h"
+#include "solver/compare/samples.h"
 
 namespace hottel {
 namespace {
@@ -92,9 +93,7 @@ bool NoiseFit::is_like_noise() const {
   if (squares.size() < kFewestPairs || static_cast<double>(far) > kMostFar * count ||
       static_cast<double>(off) < count / 2 || std::max(over, count - over) > kMostOneSided * count)
     return false;
-  const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
-  std::nth_element(squares.begin(), middle, squares.end());
-  const double by_median = kMedianOfSquares / *middle;
+  const double by_median = kMedianOfSquares / middle_of(squares);
   return by_median < kAgree * scale_ && scale_ < kAgree * by_median && grows_as_scatter();
 }
 
@@ -109,9 +108,7 @@ bool NoiseFit::grows_as_scatter() const {
   const auto median = [&](std::size_t begin) {
     std::vector<double> part;
     for (std::size_t k = begin; k < begin + third; ++k) part.push_back(squares[k].second);
-    const auto at = part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2);
-    std::nth_element(part.begin(), at, part.end());
-    return *at;
+    return middle_of(part);
   };
   return third < kFewestOfThird || median(squares.size() - third) < kMostGrowth * median(0);
 }
@@ -200,14 +197,6 @@ std::string noise_words(const SamplingNoise& noise) {
   return fmt::format("the errors scatter as about {:.0f} {} rays a face would give, {}", to_two_digits(noise.rays),
                      noise.is_even ? "evenly spread" : "random",
                      noise.bias.is_biased() ? "but biased: " + bias_words(noise.bias) : "unbiased");
-}
-
-Hypothesis suppose_sampling_noise(const JudgedPairs& judged, const std::vector<char>& leave_out, bool may_lean) {
-  const std::optional<SamplingNoise> noise = sampling_noise(judged, leave_out, may_lean);
-  if (!noise) return explains_nothing(Fault::kSamplingNoise, judged);
-  Hypothesis result{Fault::kSamplingNoise, noise->explains, ""};
-  result.words = noise_words(*noise);
-  return result;
 }
 
 }  // namespace hottel

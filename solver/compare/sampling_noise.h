@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "solver/compare/hypotheses.h"
 #include "solver/compare/judged_pairs.h"
 #include "solver/compare/noise_bias.h"
 
@@ -44,9 +43,5 @@ std::optional<SamplingNoise> sampling_noise(const JudgedPairs& judged, const std
 
 // How many rays, and whether they lean.
 std::string noise_words(const SamplingNoise& noise);
-
-// As a hypothesis; explains nothing where there is no such noise. The words are noise_words().
-Hypothesis suppose_sampling_noise(const JudgedPairs& judged, const std::vector<char>& leave_out = {},
-                                  bool may_lean = true);
 
 }  // namespace hottel

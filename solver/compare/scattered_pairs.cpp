@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "solver/compare/samples.h"
+
 namespace hottel {
 namespace {
 
@@ -64,9 +66,8 @@ ScatterScale scatter_scale(std::span<const ScatteredPair> pairs, double rays, do
   const auto count = static_cast<double>(squares.size());
   const double freedom = count - static_cast<double>(rows.size() + columns.size());
   if (freedom < std::max(kFewestFree, kLeastFreeShare * count)) return {};
-  const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
-  std::nth_element(squares.begin(), middle, squares.end());
-  return {*middle > 0 ? kMedianOfSquares / *middle * freedom / count : 0, freedom};
+  const double middle = middle_of(squares);
+  return {middle > 0 ? kMedianOfSquares / middle * freedom / count : 0, freedom};
 }
 
 }  // namespace hottel

@@ -385,7 +385,7 @@ ExchangeMatrix ExchangeRows3::matrix(ExchangeReport3* report) {
   report_.seconds["visibility"] = watch.lap();
   ExchangeMatrix matrix = MatrixOfSums(table_, is_chosen_, pairs_, std::move(entries)).make(request_.wants_measures);
   report_.max_defect = closure_defect(matrix, is_chosen_);
-  // After the defect is told, which would vanish else.
+  // The report has the defect of the rows as they were: it would be 0 afterwards.
   if (request_.proves && matrix.has_closed_rows()) {
     report_.proof.narrowed = narrow_by_rows(table_, pairs_);
     if (report_.proof.narrowed > 0) {

@@ -65,6 +65,19 @@ class RowsAtHand {
   std::vector<Row> idle_;
 };
 
+// Adds what was looked at for a pair, or for those of a report.
+template <class Counts>
+void add_work(const Counts& some, ExchangeReport3& report) {
+  report.maps += some.maps;
+  report.pieces += some.pieces;
+  report.nodes += some.nodes;
+  report.proof.parts += some.proof.parts;
+  report.proof.halvings += some.proof.halvings;
+  report.proof.redone += some.proof.redone;
+  report.proof.failures += some.proof.failures;
+  report.signs += some.signs;
+}
+
 class Measuring {
  public:
   Measuring(const PreparedScene3& prepared, const ElementTable3& table, const PairSumRequest3& request)
@@ -163,17 +176,6 @@ class Measuring {
     return sum;
   }
 
-  static void add_work(const PairMeasure3& pair, ExchangeReport3& counts) {
-    counts.maps += pair.maps;
-    counts.pieces += pair.pieces;
-    counts.nodes += pair.nodes;
-    counts.proof.parts += pair.proof.parts;
-    counts.proof.halvings += pair.proof.halvings;
-    counts.proof.redone += pair.proof.redone;
-    counts.proof.failures += pair.proof.failures;
-    counts.signs += pair.signs;
-  }
-
   bool is_of_groups(const Part& a, const Part& b) const {
     return !table_.is_one_patch(a.label) || !table_.is_one_patch(b.label);
   }
@@ -196,14 +198,7 @@ void add_counts(ExchangeReport3& report, const ExchangeReport3& some) {
   report.hidden += some.hidden;
   report.clear += some.clear;
   report.mixed += some.mixed;
-  report.maps += some.maps;
-  report.pieces += some.pieces;
-  report.nodes += some.nodes;
-  report.proof.parts += some.proof.parts;
-  report.proof.halvings += some.proof.halvings;
-  report.proof.redone += some.proof.redone;
-  report.proof.failures += some.proof.failures;
-  report.signs += some.signs;
+  add_work(some, report);
 }
 
 void add_to(PairSum3& sum, const PairSum3& other) {

@@ -45,10 +45,7 @@ class JudgedScene2 final : public JudgedScene {
   std::optional<PairPlace> place_of(std::uint32_t from, std::uint32_t to) const override {
     if (geometry_.runs(from).empty() || geometry_.runs(to).empty()) return std::nullopt;
     const ElementRun2 &a = geometry_.runs(from).front(), &b = geometry_.runs(to).front();
-    const LocalVector2 d = b.centre - a.centre;
-    const double r = length(d);
-    if (!(r > 0)) return PairPlace{};
-    return PairPlace{r, dot(a.normal(), d) / r, -dot(b.normal(), d) / r};
+    return pair_place(b.centre - a.centre, a.normal(), b.normal());
   }
 
   std::vector<ApproximateFactors> approximate_factors() const override {

@@ -61,10 +61,7 @@ class JudgedScene3 final : public JudgedScene {
   std::optional<PairPlace> place_of(std::uint32_t from, std::uint32_t to) const override {
     if (geometry_.patches(from).empty() || geometry_.patches(to).empty()) return std::nullopt;
     const ElementPatch3 &a = geometry_.patches(from).front(), &b = geometry_.patches(to).front();
-    const Vector3d d = b.centre - a.centre;
-    const double r = length(d);
-    if (!(r > 0)) return PairPlace{};
-    return PairPlace{r, dot(a.normal, d) / r, -dot(b.normal, d) / r};
+    return pair_place(b.centre - a.centre, a.normal, b.normal);
   }
 
   std::vector<ApproximateFactors> approximate_factors() const override {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,12 @@
 #include "tests/solver/plane/exact_radiosity.h"
 
 namespace hottel::testing_radiosity {
+
+inline double rounded_down(const mpf_class& value) {
+  const double near = value.get_d();  // truncated
+  return mpf_class(near, kBits) > value ? std::nextafter(near, -std::numeric_limits<double>::infinity()) : near;
+}
+inline double rounded_up(const mpf_class& value) { return -rounded_down(-value); }
 
 // Counts the bounds that were asked, and those that do not hold.
 struct BoundsHold {

@@ -24,14 +24,6 @@ namespace {
 
 using namespace testing_radiosity;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double rounded_down(const mpf_class& value) {
-  const double near = value.get_d();  // truncated
-  return mpf_class(near, kBits) > value ? std::nextafter(near, -kInfinity) : near;
-}
-double rounded_up(const mpf_class& value) { return -rounded_down(-value); }
-
 // The same factors, each known to lie within `width` of the smaller area of the pair, or within that share of itself.
 ExchangeMatrix widened(const ExactScene& scene, double width, bool is_relative, std::mt19937_64& random) {
   std::uniform_real_distribution<double> share(0, 1);

@@ -28,12 +28,6 @@ ExactScene random_exact_scene(std::uint64_t seed) {
   return ExactScene(random_scene(seed), seed % 5 == 0 ? Divided2::kYes : Divided2::kNo);
 }
 
-double rounded_down(const mpf_class& value) {
-  const double near = value.get_d();  // truncated
-  return mpf_class(near, kBits) > value ? std::nextafter(near, -kInfinity) : near;
-}
-double rounded_up(const mpf_class& value) { return -rounded_down(-value); }
-
 // The same factors, each known to lie in an interval of up to the given relative width about the true one.
 ExchangeMatrix widened(const ExactScene& scene, double width, std::mt19937_64& random) {
   std::uniform_real_distribution<double> share(0, 1);
