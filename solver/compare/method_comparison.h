@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -51,14 +52,16 @@ class MethodComparison {
   }
 
   // Runs a method, times it and takes its errors. runs: as in time_repeatedly(). Of repeated runs the last one's matrix
-  // and report are kept. Seconds are the method's own where its report has them.
+  // and report are kept. Seconds are the method's own where its report has them. progress: of each run anew; what it
+  // throws is passed on.
   //
   //   (1) max_radiosity_error is nothing where there is no exact solution; it is infinite, and a note says why, where
   //       the method's matrix has none though there is an exact one
   // Throws RequestError when the method cannot be run on the scene. COST: the runs, and one solution of its matrix.
-  MethodResult run(const ExchangeMethod<Prepared>& method, const std::optional<int>& runs = {}) const {
+  MethodResult run(const ExchangeMethod<Prepared>& method, const std::optional<int>& runs = {},
+                   const std::function<void(double)>& progress = {}) const {
     MethodResult result;
-    ExchangeRequest request{.granularity = Granularity::kElement, .wants_visibility = false};
+    ExchangeRequest request{.granularity = Granularity::kElement, .wants_visibility = false, .progress = progress};
     if (tolerance_ > 0) request.tolerance = tolerance_;
     result.info = method.info();
     result.timing = time_repeatedly(
