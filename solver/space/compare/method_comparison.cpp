@@ -19,7 +19,11 @@ ComparisonReference<PreparedScene3> reference_of(const Simulation3& simulation, 
                                                                        .store = asked.store}});
   const auto prepared = by_elements.prepared(progress);
   const auto computed = by_elements.factors(progress);
-  return {prepared, {computed, &computed->matrix}, *by_elements.light_shares(progress), asked.tolerance};
+  return {prepared,
+          {computed, &computed->matrix},
+          *by_elements.light_shares(progress),
+          asked.tolerance,
+          asked.must_be_enclosed};
 }
 
 }  // namespace
