@@ -108,7 +108,7 @@ struct Space {
   }
   static Simulation simulation(const AnimateOptions& options, Scene3 scene, std::shared_ptr<FactorStore> store) {
     if (!options.grid.empty())
-      throw UsageError("--grid is of scenes in the plane: in space frames show what a camera sees");
+      throw UsageError("--grid is only for scenes in the plane: in space frames show what a camera sees");
     if (options.method != "exact") options.guarantee.refuse_of_method(options.method);
     SimulationRequest3 request;
     request.factors.granularity = Granularity::kElement;

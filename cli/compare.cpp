@@ -70,9 +70,12 @@ void require_effect(const CompareOptions& options, const MethodCatalogue<Prepare
     has_parameter = has_parameter || method->info().parameter > 0;
   }
   if (options.plot_x == PlotX::kElements || options.plot_y == ErrorKind::kFaceRadiosity)
-    throw UsageError("elements along x and errors of faces along y are of --divide");
+    throw UsageError("elements along x and errors of faces along y need --divide");
   if (options.plot_x == PlotX::kParameter && !has_parameter)
-    throw UsageError("--plot-x parameter is of methods with rays, points or pixels: none of these has any");
+    throw UsageError(
+        "--plot-x parameter needs a method with a number of rays, points or pixels (rays:N, gauss:n, hemicube:R): none "
+        "of "
+        "--methods has one");
   for (const NamedMethod& file : radiosity_files) names.push_back(file.name());
   if (!options.map.empty() && std::ranges::find(names, options.map) == names.end())
     throw UnknownName("--map takes one of the methods that are compared, not '" + options.map + "'", options.map,

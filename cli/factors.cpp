@@ -242,13 +242,14 @@ void add_quantity_options(CLI::App& command, FactorsOptions& options) {
   command.add_option("--channel", options.channel, "r, g or b: whose reflectivities, where materials are not gray")
       ->check(CLI::IsMember({"r", "g", "b"}))
       ->needs(script_f);
-  options.exact_form_option = command
-                                  .add_option("--exact-form", options.exact_form,
-                                              "exchange measures as sums of square roots, of A and B or of all pairs")
-                                  ->expected(0, 3)  // the scene may follow
-                                  ->excludes(matrix)
-                                  ->excludes(script_f)
-                                  ->type_name("[A B]");
+  options.exact_form_option =
+      command
+          .add_option("--exact-form", options.exact_form,
+                      "direct exchange areas as sums of square roots, of A and B or of all pairs")
+          ->expected(0, 3)  // the scene may follow
+          ->excludes(matrix)
+          ->excludes(script_f)
+          ->type_name("[A B]");
 }
 
 }  // namespace

@@ -20,9 +20,7 @@ namespace hottel {
 namespace {
 
 void require_what_space_has(const FactorsOptions& options) {
-  const auto refuse = [](const std::string& option) {
-    throw UsageError(option + " is of scenes in the plane; this version does not have it in space");
-  };
+  const auto refuse = [](const std::string& option) { throw UsageError(option + " is only for scenes in the plane"); };
   if (options.wants_exact_form) refuse("--exact-form");
   if (!options.picture.empty())
     throw UsageError(

@@ -38,9 +38,7 @@ namespace hottel {
 namespace {
 
 void require_what_space_has(const SolveOptions& options) {
-  const auto refuse = [](const std::string& option) {
-    throw UsageError(option + " is of scenes in the plane; this version does not have it in space");
-  };
+  const auto refuse = [](const std::string& option) { throw UsageError(option + " is only for scenes in the plane"); };
   const SolveOptions usual;
   if (options.method != usual.method) {
     if (options.tolerance) throw UsageError("--tolerance is of the method exact only, not of " + options.method);

@@ -17,16 +17,16 @@ namespace hottel {
 //
 //   (1) rows ascend by `to`; the sky is the last column, index sky()
 //   (2) an entry that is kExact is correctly rounded, its enclosure at most one ulp wide; where both entries of a pair
-//       are, reciprocity A_i F_ij = A_j F_ji holds for the real numbers behind the doubles
+//       are kExact, the two real numbers that they round satisfy A_i F_ij = A_j F_ji
 //   (3) of one that is kEnclosed the real factor and the double lie within bounds()
-//   (4) of one that is kEstimated the real factor lies within bounds(), the double is a guess
+//   (4) of one that is kEstimated the real factor lies within bounds(); the double is an estimate and not proven
 //   (5) only elements with a material and an area have a row; pairs that exchange nothing have no entry. That a pair
 //       without entry exchanges nothing is proven, unless all entries are estimated
 //   (6) where has_closed_rows(), the real factors of each row sum to 1, the sky included
 //   (7) rows are compressed: entry k of row i stands at begins()[i] + k of columns(), factors(), visibilities(), and of
 //       measures, bounds and guarantees where there are some
-// COST: 20 bytes an entry, two entries a visible pair of elements with materials; 1 more where entries are exact, 8
-// with measures, 16 with bounds, and 1 where entries differ in what is guaranteed of them.
+// COST: 20 bytes per entry, two entries per visible pair of elements with materials. Per entry 1 byte more where
+// entries are exact, 8 with measures, 16 with bounds, 1 where guarantees differ between entries.
 class ExchangeMatrix {
  public:
   // At most, without measures, bounds and guarantees.
@@ -34,8 +34,8 @@ class ExchangeMatrix {
 
   // A matrix without elements: the sky alone.
   ExchangeMatrix() = default;
-  // A matrix of these elements without entries: every factor is 0 until assign(). `guarantee`: of every entry, unless
-  // assign() is told of each.
+  // A matrix of these elements without entries: every factor is 0 until assign(). `guarantee` holds for every entry,
+  // unless assign() gets one for each.
   ExchangeMatrix(std::vector<Element> elements, Guarantee guarantee)
       : elements_(std::move(elements)), begin_(elements_.size() + 1, 0), guarantee_(guarantee) {}
 
@@ -64,7 +64,8 @@ class ExchangeMatrix {
             entries_.sides_.empty() ? nullptr : entries_.sides_.data() + b, entries_.visibilities_.data() + b,
             begin_[i + 1] - b};
   }
-  // Whether who made the matrix promises (6). That of exact factors need not be promised.
+  // True iff promise_closed_rows() was called: whoever made the matrix promises (6). Exact factors need no promise: the
+  // real numbers that they round sum to 1 in any case.
   bool has_closed_rows() const { return has_closed_rows_; }
   void promise_closed_rows() { has_closed_rows_ = true; }
   std::size_t entry_count() const { return entries_.size(); }

@@ -1,4 +1,4 @@
-// What is told of a computation of view factors.
+// Counts, times and checks of a computation of view factors.
 #pragma once
 
 #include <cstdint>

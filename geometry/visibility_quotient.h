@@ -1,4 +1,4 @@
-// From the quotient of two exchange measures to the visibility that is printed.
+// From the quotient of two direct exchange areas to the visibility that is printed.
 #pragma once
 
 #include "kernel/enclosure.h"

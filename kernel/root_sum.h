@@ -1,4 +1,4 @@
-// Exact sums of square roots: what every exchange measure in the plane is.
+// Exact sums of square roots: what every direct exchange area in the plane is.
 #pragma once
 
 #include <string>

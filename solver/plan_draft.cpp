@@ -98,11 +98,11 @@ void PlanDraft::add_lights(double seconds) {
   const auto suns = static_cast<std::size_t>(std::ranges::count_if(scene_.lights, &Light::is_sun));
   std::string what = counted(scene_.lights.size(), "light");
   if (suns > 0) what += ", " + counted(suns, "sun") + " among them";
-  add_as_asked(Plan::kLights, !scene_.lights.empty(), what, "the scene lists none",
+  add_as_asked(Plan::kLights, !scene_.lights.empty(), what, "the scene lists no lights",
                static_cast<double>(scene_.lights.size()) * seconds);
   add_as_asked(Plan::kBeams, beams > 0,
                counted(beams, "beam") + " with a border: --light-levels divides what it crosses",
-               scene_.lights.empty() ? "there is no light"
+               scene_.lights.empty() ? "the scene lists no lights"
                : suns > 0            ? "no light has a beam"
                                      : "every light shines all around",
                0);
@@ -110,7 +110,7 @@ void PlanDraft::add_lights(double seconds) {
 
 void PlanDraft::add_movement(bool moves) {
   add_as_asked(Plan::kMovement, moves, "lights turn or follow paths: solve takes the time 0, animate makes frames",
-               scene_.lights.empty() ? "there is no light" : "no light moves", 0);
+               scene_.lights.empty() ? "the scene lists no lights" : "no light moves", 0);
 }
 
 std::string PlanDraft::count_text(std::size_t count) const { return counted(count, words_.one); }

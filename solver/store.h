@@ -12,7 +12,7 @@
 
 namespace hottel {
 
-// What kept factors are of. Two runs with the same table may take each other's factors.
+// What kept factors belong to. Two runs with the same table may take each other's factors.
 //
 //   (1) `key` is all that a pair's numbers depend on beside its two elements: the exact geometry, the method with its
 //       variant and seed, the tolerance, and how numbers are written down. Colours are none of it
@@ -46,7 +46,7 @@ struct KeptRow {
 
 // Rows of elements of this table or another one of the same key.
 struct KeptRows {
-  std::vector<std::uint32_t> place;  // of each of its elements, and of its sky, in the table that asks; or kNoPlace
+  std::vector<std::uint32_t> place;  // of each kept element, then of the sky, in the table that asks, or kNoPlace
   std::vector<KeptRow> rows;         // as numbered there
   static constexpr std::uint32_t kNoPlace = 0xffffffff;
 };
@@ -66,8 +66,8 @@ class FactorStore {
  public:
   virtual ~FactorStore() = default;
 
-  // Returns all rows that are kept of the key with at least `what`, bits that whoever keeps factors gives a meaning,
-  // and of some element of the table.
+  // Returns all rows kept under the key for some element of the table that have at least the bits of `what`, whose
+  // meaning is up to whoever keeps factors.
   virtual std::vector<KeptRows> read(const StoreTable& table, std::uint32_t what) = 0;
   // Keeps rows of the elements of the table. What there is no room for is not kept.
   virtual void keep(const StoreTable& table, std::uint32_t what, std::span<const KeptRow> rows) = 0;

@@ -216,7 +216,7 @@ void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sin
           const FactorEntry& entry = matrix.row(i)[k];
           const bool is_nothing = entry.factor == Rounded{};  // of other methods
           require_double(is_nothing ? s : written_double(Rounded{s, 1}),
-                         "the exchange measure of '" + matrix.name(i) + "' and '" + matrix.name(entry.to) + "'",
+                         "the direct exchange area of '" + matrix.name(i) + "' and '" + matrix.name(entry.to) + "'",
                          matrix.guarantee() == Guarantee::kExact ? "; --exact-form gives it" : "");
         }
   auto hidden = table.hidden.begin();

@@ -19,7 +19,7 @@ namespace hottel {
 
 // What a file cannot hold, for it is beyond the range of doubles or, though not 0, below it (of single precision in
 // View3D's binary format), is refused by RequestError, naming the face: areas and coordinates in the files that have
-// them, exchange measures, and in single precision factors.
+// them, direct exchange areas, and in single precision factors.
 
 // `from,to,factor,lower,upper,visibility,guarantee`: one line a pair, by from, then to. Shortest decimals that read
 // back to the same double, or no more digits than are asked for, bounds rounded outward; names quoted as RFC 4180 asks.
@@ -51,14 +51,15 @@ std::string factors_sidecar(const FactorTable& table);
 void write_factors_view3d_text(const FactorTable& table, const Sink& sink);
 void write_factors_view3d_binary(const FactorTable& table, const Sink& sink);
 
-// Dense csv with names in the first row and column, all faces and the sky last: factors, exchange measures (needs
+// Dense csv with names in the first row and column, all faces and the sky last: factors, direct exchange areas (needs
 // ExchangeMatrix::measures) or visibilities (NaN where S0 = 0; needs `hidden`).
 enum class DenseQuantity { kFactor, kExchange, kVisibility };
-// Dense csv with names in the first row and column, all faces and the sky last: factors, exchange measures,
+// Dense csv with names in the first row and column, all faces and the sky last: factors, direct exchange areas,
 // or visibilities (needs `hidden`).
 //
 //   (1) what has no entry is 0; of visibilities NaN, but 0 for the pairs of `hidden`
-//   (2) exchange measures are those of the matrix, or A_i F_ij of the doubles where it has none; one that is beyond the
+//   (2) direct exchange areas are those of the matrix, or A_i F_ij of the doubles where it has none; one that is beyond
+//   the
 //       range of doubles, or below it, throws RequestError before anything is written
 //   (3) the row of the sky has no entries
 void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sink& sink);
@@ -96,8 +97,8 @@ DenseSize dense_size(const SceneTable& scene, Granularity granularity, FactorFor
 // its table says.)
 DenseSize dense_size(std::uint64_t faces, std::uint64_t radiating, FactorFormat format);
 
-// The pairs whose exchange measures are asked for in closed form: all that are listed, or one pair (from, to), be it
-// listed or not; each once, the smaller number first, sorted.
+// The pairs whose direct exchange areas are asked for in closed form: all that are listed, or one pair (from, to), be
+// it listed or not; each once, the smaller number first, sorted.
 std::vector<ElementPair> exact_form_pairs(const FactorTable& table, const std::optional<ElementPair>& only);
 
 // `from,to,exchange,area`: S(from, to) and A_from as sums of square roots, in scene units. pairs:

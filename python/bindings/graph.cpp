@@ -51,7 +51,7 @@ FoundGraph found_in(const PreparedScene2& prepared, const StageProgress& progres
 }
 
 PythonGraph graph_of(const PythonSimulation& simulation) {
-  if (!simulation.is_plane()) throw UsageError("the visibility graph is of scenes in the plane");
+  if (!simulation.is_plane()) throw UsageError("the visibility graph is only for scenes in the plane");
   FoundGraph graph = simulation.waited([](const AnySimulation& any, const StageProgress& progress) {
     const Simulation2 by_faces = std::get<Simulation2>(any).with_request({.granularity = Granularity::kFace});
     return found_in(*by_faces.prepared(progress), progress);

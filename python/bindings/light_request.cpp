@@ -77,7 +77,7 @@ AnySimulation in_plane(const PythonSimulation& simulation, const GridKeywords& k
 
 AnySimulation in_space(const PythonSimulation& simulation, const GridKeywords& keywords) {
   if (keywords.illumination != "point")
-    throw UsageError("illumination is of scenes in the plane: in space light on a grid is that of points");
+    throw UsageError("illumination is only for scenes in the plane: in space light on a grid is that of points");
   const Simulation3& before = simulation.in_space();
   SimulationRequest3 request = before.request();
   request.light.grid = before.scene().grid;

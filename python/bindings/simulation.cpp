@@ -184,7 +184,7 @@ py::array PythonSimulation::light(const py::object& array, bool is_binary) const
 py::object PythonSimulation::visible(const py::object& array, const py::object& range, bool is_binary) const {
   const PythonPoints points(array, scene_.is_plane() ? 2 : 3, is_binary);
   if (!scene_.is_plane()) {
-    if (!range.is_none()) throw UsageError("range is of scenes in the plane; this version does not have it in space");
+    if (!range.is_none()) throw UsageError("range is only for scenes in the plane");
     return py::cast(PythonVisibleMap(without_lock(options_.waiting, [&](const StageProgress& progress) {
       return map_lists(*in_space().prepared(progress), points, progress);
     })));

@@ -166,7 +166,7 @@ PythonPicture picture(const PythonSimulation& simulation, const std::string& sho
   const PictureRequest request = request_of(simulation.scene(), asked);
   const bool has_grid = simulation.is_plane() || request.is_of_grid;
   const auto version = has_grid ? gridded(simulation, asked.grid) : nullptr;
-  if (!has_grid && illumination != "point") throw UsageError("illumination is of scenes in the plane");
+  if (!has_grid && illumination != "point") throw UsageError("illumination is only for scenes in the plane");
   auto draw = without_lock(simulation.options().waiting, [&](const StageProgress& progress) {
     return std::visit([&](const auto& each) { return drawing(each, request, progress); },
                       version ? *version : simulation.simulation());

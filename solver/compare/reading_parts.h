@@ -34,7 +34,7 @@ struct Orientation {
 inline constexpr std::array kOrientations = {
     Orientation{false, 0, 0, ""},
     Orientation{true, 0, 0, "the matrix is transposed: F(j, i) stands for F(i, j)"},
-    Orientation{false, 1, 0, "these are exchange measures A F, not divided by the area of the face"},
+    Orientation{false, 1, 0, "these are direct exchange areas A F, not divided by the area of the face"},
     Orientation{false, -1, 0, "factors are divided by the area of the face once too often"},
     Orientation{false, 0, -1, "the area of the other face is left out"},
     Orientation{false, 0, 1, "factors are multiplied by the area of the other face once too often"},

@@ -20,7 +20,7 @@ struct FoundFault {
   Fault fault;                  // the first of `parts`
   std::vector<Fault> parts;     // what was done at once, to every pair
   std::string words;            // one sentence
-  std::uint64_t explained = 0;  // pairs that are off, and are not once this is allowed for
+  std::uint64_t explained = 0;  // pairs that are off, but agree once this fault is allowed for
   std::vector<JudgedPair> worst;
 };
 
@@ -58,6 +58,9 @@ inline constexpr std::size_t kPairsNamed = 5;
 inline constexpr double kLeastShare = 0.02;         // of the pairs off, that a reading explains to be named
 inline constexpr double kLeastShareOfFitted = 0.2;  // the same of one with numbers that were fitted: a ratio, or many
 
+// A reading is a candidate explanation of the numbers, a fault its kind; a finding is a reading that explains enough
+// pairs.
+//
 // Holds a matrix against the exact one of a scene (solver/plane/compare/verdict.h takes a prepared scene of the plane).
 //
 //   (1) a pair is off iff every number that prints as the file has it is wrong by more than `beyond`: roundings to the
@@ -67,8 +70,9 @@ inline constexpr double kLeastShareOfFitted = 0.2;  // the same of one with numb
 //   (3) the findings and what is unexplained partition the pairs that are off
 //   (4) a reading is a finding only where it explains kLeastShare of the pairs that are off, or more; a constant or a
 //       ratio for each row kLeastShareOfFitted
-//   (5) the scatter of rays (sampling_noise.h) is a reading like others; where the errors are no such scatter as a
-//       whole, what the others leave is asked again, and may lean then
+//   (5) the scatter of rays (sampling_noise.h) is a reading like others; where the errors as a whole are no such
+//   scatter,
+//       it is tried again on the pairs that the other readings leave, and may then be biased
 // Rows and columns that the file does not have are not judged.
 // REQUIRES: both matrices are over the elements of the scene; the exact one has visibilities.
 // COST: a few passes over both matrices; when something is off, what the scene takes to answer (judged_scene.h).

@@ -14,12 +14,12 @@ namespace hottel {
 // Solves B_i = E_i + rho_i sum_j F_ij B_j in every channel, once: what RadiositySolver says holds, with the emissions
 // of the materials and of the sky as the only sources. Seconds are those of all that was done.
 //
-// The same of any sources, whose emissions need not be those of the materials, is solve_sources.
+// solve_sources does the same for any sources, whose emissions need not be those of the materials.
 //
 // Throws RequestError and ContractViolation as RadiositySolver and its solve() do.
 // REQUIRES: the materials of the elements index into `materials`.
-// COST: one factorization a distinct reflectivity vector; then a few passes over the matrix a channel. Three times that
-// where the weakest entry is enclosed.
+// COST: one factorization per distinct reflectivity vector, then a few passes over the matrix per channel. Three times
+// that where the weakest entry is enclosed.
 RadiositySolution solve_radiosity(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
                                   const Spectrum& sky_emission, const RadiosityOptions& options = {});
 RadiositySolution solve_sources(const ExchangeMatrix& matrix, const std::vector<Material>& materials,

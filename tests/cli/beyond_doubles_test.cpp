@@ -67,10 +67,10 @@ TEST_F(BeyondDoubles, FactorsAreWhatTheyAreInAnyScale) {
 
 TEST_F(BeyondDoubles, WhatHoldsLengthsIsRefusedNamingTheFace) {
   expect_refused("factors large.json --matrix exchange",
-                 "large.json: the exchange measure of 'room[0]' and 'room[1]' is beyond the range of doubles; "
+                 "large.json: the direct exchange area of 'room[0]' and 'room[1]' is beyond the range of doubles; "
                  "--exact-form gives it");
   expect_refused("factors large.json --matrix exchange --method gauss:4",
-                 "large.json: the exchange measure of 'room[0]' and 'room[1]' is beyond the range of doubles");
+                 "large.json: the direct exchange area of 'room[0]' and 'room[1]' is beyond the range of doubles");
   for (const std::string ending : {"mtx", "txt"})
     expect_refused("factors large.json -o x." + ending,
                    "large.json: the area of 'room[0]' is beyond the range of doubles");
@@ -110,10 +110,10 @@ std::string box(const std::string& exponent) {
 TEST_F(BeyondDoubles, WhatIsNotZeroIsNeverWrittenAsZero) {
   const std::string area = "small.json: the area of 'room[0]' is below the range of doubles";
   expect_refused("factors small.json --matrix exchange",
-                 "small.json: the exchange measure of 'room[0]' and 'room[1]' is below the range of doubles; "
+                 "small.json: the direct exchange area of 'room[0]' and 'room[1]' is below the range of doubles; "
                  "--exact-form gives it");
   expect_refused("factors small.json --matrix exchange --method gauss:4",
-                 "small.json: the exchange measure of 'room[0]' and 'room[1]' is below the range of doubles");
+                 "small.json: the direct exchange area of 'room[0]' and 'room[1]' is below the range of doubles");
   expect_refused("factors small.json -o x.csv --areas", area);
   for (const std::string ending : {"mtx", "txt"}) expect_refused("factors small.json -o x." + ending, area);
   expect_refused("factors small.json -o x.bin",
@@ -134,7 +134,7 @@ TEST_F(BeyondDoubles, WhatIsNotZeroIsNeverWrittenAsZeroInSpace) {
   place_.write("tiny.json", box("-200"));
   const std::string area = "tiny.json: the area of 'bottom' is below the range of doubles";
   expect_refused("factors tiny.json --matrix exchange",
-                 "tiny.json: the exchange measure of 'bottom' and 'top' is below the range of doubles");
+                 "tiny.json: the direct exchange area of 'bottom' and 'top' is below the range of doubles");
   expect_refused("factors tiny.json -o x.csv --areas", area);
   for (const std::string ending : {"mtx", "txt"}) expect_refused("factors tiny.json -o x." + ending, area);
   expect_refused("factors tiny.json -o x.bin",
@@ -307,7 +307,7 @@ TEST_F(BeyondDoubles, VisibilityTellsDecimalsThatGoOnAndExactForms) {
   const Outcome pair = place_.run("hottel visibility large.json --from room[0] --to room[1]");
   EXPECT_EQ(pair.code, 0) << pair.err;
   EXPECT_THAT(pair.out,
-              HasSubstr("S, exchange measure          1e+400                 = 1" + std::string(400, '0') + "\n"));
+              HasSubstr("S, direct exchange area      1e+400                 = 1" + std::string(400, '0') + "\n"));
   EXPECT_THAT(pair.out,
               HasSubstr("A of 'room[0]'               3e+400                 = 3" + std::string(400, '0') + "\n"));
   EXPECT_THAT(pair.out, HasSubstr("F from 'room[0]'             0.3333333333333333 "));

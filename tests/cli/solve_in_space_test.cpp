@@ -343,7 +343,7 @@ TEST(SolveInSpace, WhatIsOfThePlaneIsRefused) {
   for (const char* option : {"--illumination average", "--views views.mtx"}) {
     const Outcome outcome = place.run(std::string("hottel solve cube.json ") + option);
     EXPECT_EQ(outcome.code, 2) << option;
-    EXPECT_THAT(outcome.err, HasSubstr("is of scenes in the plane; this version does not have it in space")) << option;
+    EXPECT_THAT(outcome.err, HasSubstr("is only for scenes in the plane")) << option;
   }
   EXPECT_EQ(place.files(), std::vector<std::string>{"cube.json"});
   EXPECT_EQ(place.run("hottel solve cube.json --no-illumination --no-picture -o out").code, 0);

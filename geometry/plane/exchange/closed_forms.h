@@ -1,4 +1,4 @@
-// Exchange measures and areas in closed form: sums of square roots.
+// Direct exchange areas and areas in closed form: sums of square roots.
 #pragma once
 
 #include <optional>
@@ -32,7 +32,7 @@ ExactPair2 exact_pair(const PreparedScene2& prepared, const ElementTable2& table
 // Throws ContractViolation where a face is none of the scene, or both are the sky.
 ExactPair2 exact_pair(const PreparedScene2& prepared, const std::optional<Face>& from, const std::optional<Face>& to);
 
-// Returns the closed forms of many exchange measures S(i, j) at once, in scene units, in the order of the pairs.
+// Returns the closed forms of many direct exchange areas S(i, j) at once, in scene units, in the order of the pairs.
 // COST: one sweep for all of them (exact_sums.h).
 std::vector<RootSum> exact_exchange_measures(const PreparedScene2& prepared, Granularity granularity,
                                              const std::vector<ElementPair>& pairs);

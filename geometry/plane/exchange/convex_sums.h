@@ -1,4 +1,4 @@
-// The exchange measures of all pairs of a convex room, where nothing can hide anything.
+// The direct exchange areas of all pairs of a convex room, where nothing can hide anything.
 #pragma once
 
 #include "geometry/plane/exchange/exchange_sums.h"

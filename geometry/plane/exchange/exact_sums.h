@@ -1,4 +1,4 @@
-// Twice the exchange measures of chosen pairs, as exact sums of square roots.
+// Twice the direct exchange areas of chosen pairs, as exact sums of square roots.
 #pragma once
 
 #include <utility>

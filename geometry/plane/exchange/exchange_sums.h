@@ -1,4 +1,5 @@
-// Twice the exchange measures of all visible pairs, in fixed point: sums that do not depend on the order of addition.
+// Twice the direct exchange areas of all visible pairs, in fixed point: sums that do not depend on the order of
+// addition.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What one gap adds to the exchange measures: the sum rule of docs/design/plane/exchange.md, in one place.
+// What one gap adds to the direct exchange areas: the sum rule of docs/design/plane/exchange.md, in one place.
 #pragma once
 
 #include "geometry/plane/prepared/element_table.h"

@@ -12,7 +12,7 @@
 
 namespace hottel {
 
-// S0(i, j) is the exchange measure in the arrangement of which only the pieces on surfaces of i or j are kept: all
+// S0(i, j) is the direct exchange area in the arrangement of which only the pieces on surfaces of i or j are kept: all
 // members of a group, the whole edge of an element. They stay opaque on both sides; what neither i nor j owns is
 // black, and nothing is given back: neither claims nor what a solid covers.
 //

@@ -1,4 +1,4 @@
-// The exchange measure of two straight edges alone in the plane: Hottel's crossed strings, clipped where needed.
+// The direct exchange area of two straight edges alone in the plane: Hottel's crossed strings, clipped where needed.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// A scene made ready to be asked: overlaid, owned and triangulated.
+// A preprocessed scene of the plane: edges cut at each other, each side with its owner, and a triangulation.
 #pragma once
 
 #include <memory>
@@ -27,8 +27,8 @@ struct PreparedScene2 {
   const Arrangement2& arrangement;  // *shared
   double seconds;                   // what the preparation took
 
-  // REQUIRES the arrangement of this scene by this division, or of one that differs from it in values of materials and
-  // of the sky, in its grid and in what is told about it only, so that the same materials act alike.
+  // REQUIRES: the arrangement, by this division, of this scene or of one that differs from it only in values of
+  // materials and sky, in lights and grid, and in which the same materials act alike.
   PreparedScene2(Scene2 s, Division2 d, std::shared_ptr<const Arrangement2> a, double took);
 
   // Which element each side belongs to. COST: that of the table, for the first who asks.
@@ -47,8 +47,9 @@ enum class Divided2 : bool { kNo, kYes };
 // REQUIRES: a valid scene (validate).
 PreparedScene2 prepare(Scene2 scene, Divided2 divided = Divided2::kNo);
 
-// Prepares a scene with as many parts of each surface as it asks for, from one that differs from it in that, in values
-// of materials and of the sky, in its lights and its grid only, and is prepared undivided. COST: a triangulation.
+// Prepares a scene, with as many parts of each surface as it asks for, from `undivided`: a scene prepared undivided
+// that differs from it only in these numbers of parts, in values of materials and sky, in lights and grid. COST: a
+// triangulation.
 PreparedScene2 prepare_divided(const PreparedScene2& undivided, Scene2 scene);
 
 }  // namespace hottel

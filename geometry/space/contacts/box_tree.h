@@ -1,4 +1,4 @@
-// A tree of boxes, asked which of them meet one.
+// A tree of boxes, for finding all that meet a given box.
 #pragma once
 
 #include <cstdint>

@@ -14,8 +14,8 @@ struct PreparedScene3;
 // Returns the view factors of all pairs that exchange light, each with proven bounds.
 //
 //   (1) F_ij lies within its bounds. Where they are within the tolerance of the request, which is on S relative to the
-//       smaller area, the entry is kEnclosed; else kEstimated: then |F_ij A_i - S| is the tolerance times that area at
-//       most, as an estimate
+//       smaller area, the entry is kEnclosed; else kEstimated: |F_ij A_i - S| is then estimated, not proven, to be at
+//       most the tolerance times that area
 //   (2) no entry iff the real view factor is 0; this is decided by signs
 //   (3) both entries of a pair come from one measure, and so do their bounds; every row sums to 1 within the errors of
 //       its entries, the sky included
@@ -23,10 +23,9 @@ struct PreparedScene3;
 //       exactly when nothing does (of two groups it may be told as next to 1 where something stands between that hides
 //       only what they hide themselves)
 //   (5) the result is the same bit for bit for any number of threads
-//   (6) where the sky is asked for by closure, F to it is 1 less the others of the row, its bounds follow from theirs,
-//       and so does its error, which may be that many tolerances; other entries have the same bits.
-//       Rows that are checked, and those whose rest is less than their pairs may be off (SkyByClosure), have the
-//       integral
+//   (6) with the sky by closure, F(i, sky) is 1 minus the other factors of the row; its bounds follow from theirs, and
+//       its error is up to the sum of theirs. Other entries have the same bits. The sky is integrated as usual in rows
+//       that are checked, and in those whose rest is no more than what their pairs may be off in all (SkyByClosure)
 //
 // Throws UnmeasuredPairs naming the first pairs where some could not be measured, RequestError where a row that is
 // checked differs from its rest by more than its pairs may be off, and when the memory allowed

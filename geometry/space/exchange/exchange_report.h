@@ -1,4 +1,4 @@
-// What is told of a computation of view factors in space.
+// Counts, times and checks of a computation of view factors in space.
 #pragma once
 
 #include <cstdint>

@@ -19,7 +19,8 @@
 
 namespace hottel {
 
-// Measures the pairs of some elements with all others, then of others, until all are there.
+// Computes a matrix row by row, in any order: the pairs of some elements with all others, then of others, until all are
+// there.
 //
 //   (1) a row that has come holds the factors of that element to all that it sees
 //   (2) matrix() is that of exact_exchange, bit for bit, in whatever order and parts rows came; so are the counts

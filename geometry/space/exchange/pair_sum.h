@@ -1,4 +1,4 @@
-// Exchange measures of pairs of elements, and what is asked and told of them.
+// Direct exchange areas of pairs of elements, and what is asked and told of them.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// The exchange measures of all pairs of elements.
+// The direct exchange areas of all pairs of elements.
 #pragma once
 
 #include <cstdint>

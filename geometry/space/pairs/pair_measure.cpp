@@ -608,8 +608,8 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
   const auto is_done = [&] { return is_sure(result) && result.error <= allowed; };
   PairMeasure3 bounded = result;
   if (!is_done()) {
-    // So little goes at most, or so little is hidden, that it need not be known: patches that see each other at grazing
-    // angles, and needles; something small, far away.
+    // Where the upper bound, or what may be hidden, is below the tolerance, the value does not matter: patches that see
+    // each other at grazing angles, needles, something small and far away.
     if (alone.bounds.upper / 2 > allowed) bound_what_is_hidden(setting, blockers, i, j, tolerance, alone, bounded);
     take_bounds(bounded);
     // What no double can tell is not asked of wider numbers.

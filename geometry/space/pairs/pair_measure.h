@@ -1,4 +1,4 @@
-// The exchange measure of two patches, with all that stands between them.
+// The direct exchange area of two patches, with all that stands between them.
 #pragma once
 
 #include <array>
@@ -19,10 +19,10 @@ class PairRow3;
 
 // Measures pairs of patches among the polygons of a scene.
 //
-// Where many surfaces may stand between, one of the patches is cut in two, again and again, as long as the hulls of the
-// halves and the other patch hold so many fewer that both together cost less: what a pair costs grows faster than the
-// number of surfaces between. So is a pair whose integrals do not converge. The measures, errors and bounds of the
-// parts are summed.
+// Where many surfaces may stand between, one of the patches is cut in two, again and again, while the hulls of each
+// half with the other patch hold so many fewer surfaces that both halves together cost less than the whole. This pays
+// because the cost of a pair grows faster than the number of surfaces between. A pair whose integrals do not converge
+// is cut in two as well. The measures, errors and bounds of the parts are summed.
 //
 // Neighbours in one plane hide as one polygon where their union is convex (MergedBlockers3). Patches stay as they are.
 //
@@ -38,9 +38,9 @@ class PairMeasurer3 {
   explicit PairMeasurer3(const Blockers3& blockers);
   ~PairMeasurer3();
 
-  // REQUIRES: patches of these blockers, as Patch3 says; of the sky only the second. `details`, where it is not null,
-  // is told what the measure is made of (pair_details.h), with everything that may stand between walked: of stretches
-  // only where it is the sum along edges. The number is the same bit for bit without them.
+  // REQUIRES: patches of these blockers, as Patch3 says; only the second may be of the sky. If `details` is not null,
+  // it receives what the measure is made of (pair_details.h), and everything that may stand between is walked; it has
+  // stretches only where the measure is a sum along edges. The number is the same bit for bit without them.
   PairMeasure3 measure(const Patch3& i, const Patch3& j, const PairRequest3& request = {},
                        PairDetails3* details = nullptr) const;
 

@@ -1,4 +1,4 @@
-// A scene in space made ready to be asked: its pieces as blockers, and what measures pairs among them.
+// A preprocessed scene in space: its pieces as blockers, and what measures pairs among them.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// The exchange measure of two patches that are small against their distance.
+// The direct exchange area of two patches that are small against their distance.
 #pragma once
 
 #include <optional>

@@ -37,8 +37,8 @@ struct PairRequest3 {
   bool asks_hiders = true;
 };
 
-// The exchange measure of a pair: S = A_i F_ij = A_j F_ji. Lengths are those of the doubles of Vertices3 (integer form
-// times 2^-shift), areas their squares.
+// The direct exchange area of a pair: S = A_i F_ij = A_j F_ji. Lengths are those of the doubles of Vertices3 (integer
+// form times 2^-shift), areas their squares.
 //
 //   (1) S = 0 and S = S0 (is_whole: nothing between them hides anything) are decided by signs; measure is 0 iff S is.
 //       Where is_undecided, they could not be

@@ -1,4 +1,4 @@
-// The exchange measure of a patch and one that is small against its distance from the edges of the first.
+// The direct exchange area of a patch and one that is small against its distance from the edges of the first.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// The exchange measure of two patches with nothing between them.
+// The direct exchange area of two patches with nothing between them.
 #pragma once
 
 #include "geometry/space/arrangement/blockers.h"
@@ -8,7 +8,7 @@
 
 namespace hottel {
 
-// The unobstructed exchange measure S0 of two patches, in squares of the doubles of Vertices3 (integer form times
+// The unobstructed direct exchange area S0 of two patches, in squares of the doubles of Vertices3 (integer form times
 // 2^-shift).
 struct UnobstructedMeasure3 {
   double measure = 0;
@@ -26,9 +26,10 @@ struct UnobstructedMeasure3 {
 //   (4) kUsual leaves out the last way to measure, in numbers of 320 bits: then needles a million times as long as wide
 //       may not converge
 //
-// Some 1e-14 of the smaller area is had for all pairs whatever, touching or not, needles of 1 to 2^250 too; for patches
-// that are small against their distance, some 1e-14 of S0, or tolerance^2 of it where that is more: loose tolerances
-// cost less. Proven means: given that log and atan2 of the library are within 4 units of the last place.
+// With kAll the error is some 1e-14 of the smaller area for every pair, touching or not, even for needles 2^250 times
+// as long as wide. For patches that are small against their distance it is some 1e-14 of S0, or tolerance^2 of S0 where
+// that is more, so that loose tolerances cost less. "Proven" assumes that log and atan2 of the library are within 4
+// units of the last place.
 //
 // REQUIRES tolerance > 0; areas within the range of doubles. COST: 3 to 30 microseconds; up to some hundreds where
 // edges almost touch, and where more digits are asked for than doubles have; some tens of milliseconds for needles.
@@ -36,7 +37,7 @@ struct UnobstructedMeasure3 {
 UnobstructedMeasure3 unobstructed_measure(const Vertices3& vertices, const Patch3& i, const Patch3& j, double tolerance,
                                           Effort3 effort = Effort3::kAll);
 
-// Returns A, the area of a patch, with proven bounds, 2^-47 of it apart at most, in the same unit. Bounds are positive.
+// Returns A, the area of a patch, with proven bounds, at most 2^-47 of it apart, in the same unit. Bounds are positive.
 // COST: a microsecond.
 Enclosure patch_area(const Vertices3& vertices, const Patch3& patch);
 

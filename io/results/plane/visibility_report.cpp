@@ -235,7 +235,7 @@ VisibilityAnswer pair_answer(const PairSight2& sight) {
   answer.json["from"] = sight.from;
   answer.json["to"] = sight.to;
   answer.text = fmt::format("'{}' and '{}'\n", sight.from, sight.to);
-  add_measure("exchange", "S, exchange measure", pair.exchange, sight.unit, answer);
+  add_measure("exchange", "S, direct exchange area", pair.exchange, sight.unit, answer);
   add_measure("unobstructed", "S0, everything else removed", pair.unobstructed, sight.unit, answer);
   add_quotient("visibility", "Vis = S / S0", pair.exchange, pair.unobstructed, true, answer);
   const auto add_area = [&](const char* key, const std::string& name, const RootSum& area, bool is_face) {

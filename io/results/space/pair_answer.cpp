@@ -156,7 +156,7 @@ VisibilityAnswer pair_answer(const Scene3& scene, const std::string& from, const
   answer.json["from"] = from;
   answer.json["to"] = to;
   answer.text = fmt::format("'{}' and '{}'\n", from, to);
-  answer.add("exchange", "S, exchange measure", report.exchange);
+  answer.add("exchange", "S, direct exchange area", report.exchange);
   answer.json["exchange"]["error"] = report.exchange.error;
   answer.json["exchange"]["guarantee"] = guarantee;
   answer.add("unobstructed", "S0, everything else removed", report.unobstructed);

@@ -1,4 +1,4 @@
-// Exchange measures by CGAL's kernel with exact constructions.
+// Direct exchange areas by CGAL's kernel with exact constructions.
 #pragma once
 
 #include "solver/plane/methods/arithmetic_sweep.h"

@@ -1,4 +1,4 @@
-// Which elements could see the sky, for all that the walls around them say.
+// Elements whose enclosing walls do not by themselves exclude a view of the sky.
 #pragma once
 
 #include <vector>

@@ -20,7 +20,7 @@ class LightRows2;
 struct DividingEstimate;
 struct PreparedScene2;
 
-// One version of a scene and what is asked of it, with all that follows, in stages:
+// One version of a scene and what is asked of it, with all that follows, in stages ("a <- b": b is made from a):
 //
 //   arrangement <- lights, factors <- system <- radiosities <- light <- picture;   the estimate of dividing after the
 //   radiosities;   plan, lost_light and check beside them
@@ -45,16 +45,16 @@ struct PreparedScene2;
 //       (`seconds` in reports are what was measured)
 //   (3) any number of threads may ask one version at once; stages are made, waited for, cancelled and failed as
 //       kernel/support/stage.h says. What a stage throws is thrown again until an edit drops it
-//   (4) memory is kept to by factors and by rows, each by itself (ExchangeRequest::memory, LightRows2)
+//   (4) factors and rows each keep to the memory that is allowed, separately (ExchangeRequest::memory, LightRows2)
 //
 // RequestErrors name the scene's file. Stages throw what their functions throw: InputError where claims conflict or a
 // "behind" cannot be obeyed (prepare); RequestError where the memory does not suffice, where a method cannot be run,
-// where `closed` is broken (which exact factors tell, whatever the method) or a factor negative, where there is no
-// solution, or none in doubles.
+// where the promise `closed` is broken (judged by exact factors, whatever the method), where a factor is negative,
+// where there is no solution, or none in doubles.
 class Simulation2 {
  public:
   // Throws InputError naming file, line and surface unless the scene is valid (validate), UsageError where the
-  // request's grid is none (grid_problem).
+  // request's grid is not valid (grid_problem).
   explicit Simulation2(Scene2 scene, SimulationRequest2 request = {});
 
   // The version after an edit. COST: linear in the scene, which is compared with that of this version.

@@ -32,20 +32,19 @@ struct PreparedScene3;
 
 // What is asked of view factors, with what is taken where nothing is said.
 struct FactorsRequest3 {
-  // By which method, "exact" where there is none: visibilities, measures and limits are of the exact one alone, and so
-  // are hidden pairs.
+  // The method; null means "exact". Only the exact method has visibilities, measures, limits and hidden pairs.
   std::shared_ptr<const ExchangeMethod3> method = nullptr;
   Granularity granularity = Granularity::kFace;
   bool wants_visibility = false, wants_measures = false;  // beside the factors
   double tolerance = 1e-9;                                // as ExchangeRequest takes it
   SkyBy sky = SkyBy::kIntegral;                           // how it is told what is seen of the sky
-  bool must_be_enclosed = false;                          // a pair without an enclosure within it is refused
+  bool must_be_enclosed = false;                          // a pair without an enclosure within the tolerance is refused
   RowChoice rows = {};                                    // as ExchangeRequest takes them
   std::uint64_t memory = 0;                               // bytes, as memory_allowed() takes it
   // Says which rows are measured first, and is told of them as they come, on the thread that measures; of the exact
   // method. Nothing that is computed depends on it: requests are alike with and without one.
   std::shared_ptr<RowWatch3> watch = nullptr;
-  // Where factors are read that were kept, and kept that were computed. Nothing that is computed depends on it.
+  // The store that kept factors are read from and computed ones are written to. Nothing that is computed depends on it.
   std::shared_ptr<FactorStore> store = nullptr;
 
   friend bool operator==(const FactorsRequest3& a, const FactorsRequest3& b) {
@@ -95,11 +94,11 @@ struct SimulationRequest3 {
   friend bool operator==(const SimulationRequest3&, const SimulationRequest3&) = default;
 };
 
-// Whether the same materials act alike as before. Then the claims of surfaces that overlap are settled as before; else
-// the scene is refused, or arranged as before. REQUIRES as many of both.
+// True iff any two materials act alike now exactly if they did before. Then the claims of surfaces that overlap are
+// settled as before, and what was arranged can be shared. REQUIRES equally many materials in both.
 bool are_alike_as_before_3(const std::vector<Material>& before, const std::vector<Material>& now);
 
-// One version of a scene and what is asked of it, with what follows, in stages:
+// One version of a scene and what is asked of it, with what follows, in stages ("a <- b": b is made from a):
 //
 //   prepared <- factors <- system <- radiosities <- light <- picture;   plan, hidden pairs after the factors, and the
 //   estimate of dividing after the radiosities, beside them
@@ -119,13 +118,13 @@ bool are_alike_as_before_3(const std::vector<Material>& before, const std::vecto
 //   (5) a scene of the same shape shares what is arranged however its surfaces are divided, the factors too where they
 //       are divided alike, and what lights shine on where these stand and shine alike
 //
-// Light and picture are those of the solution on the grid, and made anew wherever that is.
+// Light and picture are those of the solution on the grid, and made anew wherever the solution is.
 // RequestErrors name the scene's file: where the memory does not suffice, a pair cannot be measured, or one without an
 // enclosure must have one; where `closed` is broken, there is no solution, or none in doubles.
 class Simulation3 {
  public:
   // Throws InputError naming file, line and surface unless the scene is valid (validate); this and the next UsageError
-  // where the request's grid is none (grid_problem).
+  // where the request's grid is not valid (grid_problem).
   explicit Simulation3(Scene3 scene, SimulationRequest3 request = {});
   Simulation3 with_request(const SimulationRequest3& request) const;
   // The scene with these materials in place of its own, of the same names. Throws InputError as the constructor,

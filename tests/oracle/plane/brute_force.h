@@ -1,4 +1,4 @@
-// The exchange measures of a plane scene, straight from the sum over the gaps of all lines through two vertices.
+// The direct exchange areas of a plane scene, straight from the sum over the gaps of all lines through two vertices.
 // Rational coordinates, no data structure, nothing shared with what it checks.
 #pragma once
 

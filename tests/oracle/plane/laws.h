@@ -1,4 +1,4 @@
-// What holds of the exchange measures of every scene, and short ways to ask for them in tests.
+// What holds of the direct exchange areas of every scene, and short ways to ask for them in tests.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The exchange measures of a plane scene by integration over all lines: a second oracle, which knows nothing of
+// The direct exchange areas of a plane scene by integration over all lines: a second oracle, which knows nothing of
 // vertices that see each other or of strings.
 #pragma once
 

@@ -133,7 +133,7 @@ TEST_P(VerdictTest, FindsRowsThatWereRescaled) {
   const Judged room(convex_room());
   const auto area = [&](std::uint32_t i) { return room.exact.elements()[i].area.value; };
   expect_only(
-      Fault::kAreas, room, [&](auto i, auto, double e) { return area(i) * e; }, "exchange measures A F");
+      Fault::kAreas, room, [&](auto i, auto, double e) { return area(i) * e; }, "direct exchange areas A F");
   expect_only(
       Fault::kRowFactor, room,
       [&](auto i, auto, double e) { return i == 0   ? e * area(0) / area(2)
