@@ -88,7 +88,7 @@ void set_given_flux(const Rational& emissivity, const Rational& flux, Material& 
   material.emissivity = emissivity;
 }
 
-void set_grey_body(const Spectrum& emissivity, const Spectrum& temperature, Material& material) {
+void set_gray_body(const Spectrum& emissivity, const Spectrum& temperature, Material& material) {
   const Spectrum black = black_emission(temperature);
   material.reflectivity.is_scalar = emissivity.is_scalar;
   material.emission.is_scalar = emissivity.is_scalar && temperature.is_scalar;

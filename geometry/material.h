@@ -101,7 +101,7 @@ void set_bands(const Rational& solar_reflectivity, const Rational& solar_emissio
 // A spectrum of two bands.
 Spectrum in_bands(const Rational& solar, const Rational& thermal);
 
-// Makes a material a grey body: reflectivity 1 - e and emission e sigma T⁴, exactly, sigma = 5.670374419e-8 W/(m² K⁴).
-void set_grey_body(const Spectrum& emissivity, const Spectrum& temperature, Material& material);
+// Makes a material a gray body: reflectivity 1 - e and emission e sigma T⁴, exactly, sigma = 5.670374419e-8 W/(m² K⁴).
+void set_gray_body(const Spectrum& emissivity, const Spectrum& temperature, Material& material);
 
 }  // namespace hottel

@@ -81,7 +81,7 @@ Material read_material(const JsonValue& key, const JsonValue& value, Words& word
     const Spectrum e = read_spectrum_in_range(emissivity, {owner, "emissivity"}, SpectrumKind::kFraction);
     const Spectrum t =
         temperature ? read_spectrum_in_range(temperature, {owner, "temperature"}, SpectrumKind::kQuantity) : Spectrum();
-    set_grey_body(e, t, material);
+    set_gray_body(e, t, material);
   }
   return material;
 }

@@ -51,7 +51,7 @@ class TableReader {
   explicit TableReader(SceneTable& table) : table_(table) {}
 
   // Appends the materials of an object. Reflectivities and emissivities are from 0 to 1, emissions and temperatures not
-  // below 0; a grey body of emissivity e and temperature T has reflectivity 1 - e and emission e sigma T⁴; an insulated
+  // below 0; a gray body of emissivity e and temperature T has reflectivity 1 - e and emission e sigma T⁴; an insulated
   // material has reflectivity 1 and no other key; a flux of any sign stands beside an emissivity above 0 alone, both of
   // one number. REQUIRES that the document outlives this: names are looked up in its
   // texts.

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "geometry/face.h"
-#include "geometry/grey_temperature.h"
+#include "geometry/gray_temperature.h"
 #include "geometry/patch_bases.h"
 #include "io/scene/exact_decimal.h"
 #include "kernel/decimal.h"
@@ -51,7 +51,7 @@ Spectrum emissivity_of(const Material& m) {
 // The temperature of a material that, given by it, reads back the same.
 std::optional<Spectrum> writable_temperature(const Material& m) {
   if (m.emission.is_zero() || (m.emission.is_scalar && !m.reflectivity.is_scalar)) return std::nullopt;
-  const auto temperature = grey_temperature(m);
+  const auto temperature = gray_temperature(m);
   if (!temperature) return std::nullopt;
   Spectrum result = Spectrum::scalar(*temperature);
   result.is_scalar = m.emission.is_scalar || !m.reflectivity.is_scalar;

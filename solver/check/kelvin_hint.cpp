@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "geometry/grey_temperature.h"
+#include "geometry/gray_temperature.h"
 #include "geometry/name.h"
 
 namespace hottel {
@@ -33,7 +33,7 @@ std::optional<std::string> kelvin_hint(const SceneTable& scene, const ExchangeMa
   for (std::size_t m = 0; m < is_used.size(); ++m) {
     const Material& material = scene.materials[m];
     if (is_used[m] == 0 || material.emission.is_zero()) continue;
-    const auto temperature = grey_temperature(material);
+    const auto temperature = gray_temperature(material);
     if (!temperature || *temperature <= 0 || *temperature >= 100) continue;
     if (has_sky && is_colder(scene.sky_emission, *temperature)) continue;
     found +=

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/grey_temperature.h"
+#include "geometry/gray_temperature.h"
 #include "geometry/name.h"
 #include "kernel/decimal.h"
 #include "kernel/exact_double.h"
@@ -60,7 +60,7 @@ BoundedTemperature black_temperature(double power, const Enclosure& bounds) {
 
 ElementTemperatures::ElementTemperatures(const std::vector<Material>& materials) {
   for (const Material& material : materials) {
-    const auto exact = grey_temperature(material);
+    const auto exact = gray_temperature(material);
     const bool is_in_range = exact && std::isfinite(to_double(*exact));
     if (is_in_range) {
       const double nearest = to_double(*exact);

@@ -29,7 +29,7 @@ struct BoundedTemperature {
 // COST: microseconds.
 BoundedTemperature black_temperature(double power, const Enclosure& bounds);
 
-// Temperatures of elements: what their material says (grey_temperature), or, where it neither absorbs nor emits
+// Temperatures of elements: what their material says (gray_temperature), or, where it neither absorbs nor emits
 // (Material::is_adiabatic), what they come to by themselves: that of a black body with their radiosity B; where their
 // net flux q is given, that for which sigma T⁴ = B + (1 - e) q / e.
 //

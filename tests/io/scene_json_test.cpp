@@ -174,7 +174,7 @@ TEST(SceneJson, AUnitIsANameAndKept) {
   EXPECT_EQ(refusal(scene_with("\"unit\": \"a\\nb\"")), "scene.json:3: unit must not contain a control character");
 }
 
-TEST(SceneJson, EmissivityAndTemperatureMakeAGreyBodyExactly) {
+TEST(SceneJson, EmissivityAndTemperatureMakeAGrayBodyExactly) {
   const Scene2 scene = parse(R"({"hottel": 1, "dimension": 2, "materials": {
     "steel": {"emissivity": 0.3, "temperature": 900}, "cold": {"emissivity": [0.1, 0.2, 1]}}})");
   const Rational sigma = *parse_rational("5.670374419e-8");

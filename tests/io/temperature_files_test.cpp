@@ -47,8 +47,8 @@ TEST(BlackTemperature, BoundsAreTheNearestDoublesThatHold) {
 
 TEST(ElementTemperatures, AreTypedOrThoseOfWhatIsSentBack) {
   Material hot, third, wool, lamp;
-  set_grey_body(Spectrum::scalar(Rational(1, 2)), Spectrum::scalar(400), hot);
-  set_grey_body(Spectrum::scalar(Rational(1, 2)), Spectrum::scalar(Rational(1000, 3)), third);
+  set_gray_body(Spectrum::scalar(Rational(1, 2)), Spectrum::scalar(400), hot);
+  set_gray_body(Spectrum::scalar(Rational(1, 2)), Spectrum::scalar(Rational(1000, 3)), third);
   set_insulated(wool);
   lamp.emission = Spectrum::scalar(10);
   const ElementTemperatures temperatures({hot, third, wool, lamp, Material()});

@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-#include "geometry/grey_temperature.h"
+#include "geometry/gray_temperature.h"
 #include "geometry/near_names.h"
 #include "geometry/scene_names.h"
 #include "kernel/support/failure.h"
@@ -110,7 +110,7 @@ double found_temperature(const Material& material, const RadiositySolution& solu
 std::vector<std::optional<double>> temperatures_of(const SceneTable& scene) {
   std::vector<std::optional<double>> result;
   for (const Material& material : scene.materials) {
-    const auto exact = grey_temperature(material);
+    const auto exact = gray_temperature(material);
     result.push_back(exact ? std::optional(to_double(*exact)) : std::nullopt);
   }
   return result;

@@ -73,7 +73,7 @@ struct ShownValues {
 //
 //   (1) radiosity, irradiance and net are the doubles of radiosity.csv, where there are three channels and none was
 //       asked for their mean, of two bands their sum
-//   (2) a temperature is that of the surface, which its material says (grey_temperature); where a face neither absorbs
+//   (2) a temperature is that of the surface, which its material says (gray_temperature); where a face neither absorbs
 //       nor emits (reflectivity 1), the one it would have by itself: that of a black body with its radiosity; of
 //       a given net flux that which solve writes (ElementTemperatures). Faces whose material has no temperature have no
 //       value

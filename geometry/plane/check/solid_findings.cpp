@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "geometry/grey_temperature.h"
+#include "geometry/gray_temperature.h"
 #include "geometry/name.h"
 #include "geometry/plane/check/wording.h"
 
@@ -29,13 +29,13 @@ bool emits(const Scene2& scene, const Surface& surface) {
 
 // Whether a surface of the group has the temperature of a material, on either side.
 bool is_as_warm(const Scene2& scene, std::uint32_t group, std::uint32_t material) {
-  const std::optional<Rational> own = grey_temperature(scene.materials[material]);
+  const std::optional<Rational> own = gray_temperature(scene.materials[material]);
   if (!own) return false;
   const std::vector<std::uint32_t> surfaces = surfaces_of(scene, group);
   return std::any_of(surfaces.begin(), surfaces.end(), [&](std::uint32_t s) {
     const Surface& surface = scene.surfaces[s];
-    return grey_temperature(scene.materials[surface.material]) == own ||
-           (surface.back && grey_temperature(scene.materials[*surface.back]) == own);
+    return gray_temperature(scene.materials[surface.material]) == own ||
+           (surface.back && gray_temperature(scene.materials[*surface.back]) == own);
   });
 }
 

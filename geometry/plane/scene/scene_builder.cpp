@@ -104,7 +104,7 @@ SceneBuilder2& SceneBuilder2::add_material(const std::string& name, const Materi
     if (!(0 < emissivity && emissivity <= 1)) reader.refuse(of_emissivity + " beside flux must be above 0, at most 1");
     set_given_flux(emissivity, reader.number(owner + ": flux", options.flux.numbers[0]), material);
   } else if (is_given(options.emissivity)) {
-    set_grey_body(read("emissivity", options.emissivity, SpectrumKind::kFraction),
+    set_gray_body(read("emissivity", options.emissivity, SpectrumKind::kFraction),
                   read("temperature", options.temperature, SpectrumKind::kQuantity), material);
   } else {
     material.reflectivity = read("reflectivity", options.reflectivity, SpectrumKind::kFraction);

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "geometry/grey_temperature.h"
+#include "geometry/gray_temperature.h"
 #include "geometry/name.h"
 #include "geometry/space/check/wording.h"
 #include "geometry/space/scene/patches.h"
@@ -225,14 +225,14 @@ class SightTeller {
 
   // Whether something that lies in its plane, over its middle, has its temperature: what covers it, or it stands on.
   bool is_as_warm_as_cover(std::uint32_t s, std::uint32_t material) const {
-    const std::optional<Rational> own = grey_temperature(scene_.materials[material]);
+    const std::optional<Rational> own = gray_temperature(scene_.materials[material]);
     if (!own) return false;
     const Point3 at = middle(scene_.polygons[s]);
     for (std::uint32_t other = 0; other < scene_.surfaces.size(); ++other) {
       if (other == s || !lies_on(scene_.polygons[other], scene_.polygons[s], at)) continue;
       for (const bool is_back : {false, true})
         if (const auto its = scene_.surfaces[other].material_of(is_back);
-            its && grey_temperature(scene_.materials[*its]) == own)
+            its && gray_temperature(scene_.materials[*its]) == own)
           return true;
     }
     return false;

@@ -119,8 +119,8 @@ TEST(SolidChecks2, WhatEmitsIntoASolidIsAWarning) {
   for (const auto& [temperature, told_as] : {std::pair(300, "note covered"), {310, "warning covered"}}) {
     Scene2 heat = scene;
     for (Material& material : heat.materials)
-      set_grey_body(Spectrum::scalar(Rational(9, 10)), Spectrum::scalar(300), material);
-    set_grey_body(Spectrum::scalar(Rational(1, 2)), Spectrum::scalar(temperature),
+      set_gray_body(Spectrum::scalar(Rational(9, 10)), Spectrum::scalar(300), material);
+    set_gray_body(Spectrum::scalar(Rational(1, 2)), Spectrum::scalar(temperature),
                   heat.materials[heat.surfaces[*heat.find("spot")].material]);
     EXPECT_THAT(told_kinds(heat), ElementsAre(told_as));
   }

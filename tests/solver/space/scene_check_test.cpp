@@ -122,9 +122,9 @@ TEST(SceneCheck3, WhatABoxStandsOnWhollyIsCovered) {
   scene.surfaces[6].material = 1;
   EXPECT_THAT(told_of(scene), ElementsAre("warning covered box.bottom"));
   // Not where what it stands on is as warm.
-  set_grey_body(Spectrum::scalar(Rational(9, 10)), Spectrum::scalar(300), scene.materials[0]);
+  set_gray_body(Spectrum::scalar(Rational(9, 10)), Spectrum::scalar(300), scene.materials[0]);
   for (const auto& [temperature, told_as] : {std::pair(300, "note"), {310, "warning"}}) {
-    set_grey_body(Spectrum::scalar(Rational(1, 2)), Spectrum::scalar(temperature), scene.materials[1]);
+    set_gray_body(Spectrum::scalar(Rational(1, 2)), Spectrum::scalar(temperature), scene.materials[1]);
     EXPECT_THAT(told_of(scene), ElementsAre(told_as + std::string(" covered box.bottom")));
   }
 }

@@ -1,4 +1,4 @@
-#include "geometry/grey_temperature.h"
+#include "geometry/gray_temperature.h"
 
 namespace hottel {
 namespace {
@@ -13,7 +13,7 @@ std::optional<Rational> fourth_root(const Rational& power) {
 
 }  // namespace
 
-std::optional<Rational> grey_temperature(const Material& material) {
+std::optional<Rational> gray_temperature(const Material& material) {
   static const Rational of_one_kelvin = black_emission(Spectrum::scalar(1)).value[0];
   std::optional<Rational> result;
   for (std::size_t c = material.has_bands ? kThermalBand : 0; c < material.emission.value.size(); ++c) {
