@@ -54,6 +54,14 @@ void EyeCamera3::zoom(double factor) {
   eye_ = target_ - std::clamp(distance() / factor, kNearest * size_, kFarthest * size_) * forward();
 }
 
+void EyeCamera3::zoom_to(const Direction3& place, double factor) {
+  const double nearest = std::min(distance(), length(eye_ - place)), farthest = std::max(distance(), nearest);
+  const double least = farthest / (kFarthest * size_), most = nearest / (kNearest * size_);
+  const double by = std::clamp(factor, std::min(least, 1.0), std::max(most, 1.0));
+  eye_ = place + (1 / by) * (eye_ - place);
+  target_ = place + (1 / by) * (target_ - place);
+}
+
 void EyeCamera3::walk(double forward_length, double right_length, double up_length) {
   const Direction3 way = forward_length * cross(up_, right()) + right_length * right() + up_length * up_;
   eye_ = eye_ + way;
@@ -62,6 +70,10 @@ void EyeCamera3::walk(double forward_length, double right_length, double up_leng
 
 double EyeCamera3::length_of_pixel(FrameSize frame) const {
   return 2 * distance() * std::tan(radians(to_double(field_of_view_)) / 2) / frame.height;
+}
+
+double EyeCamera3::length_of_pixel_at(const Direction3& place, FrameSize frame) const {
+  return length_of_pixel(frame) * dot(place - eye_, forward()) / distance();
 }
 
 Camera3 EyeCamera3::camera(FrameSize frame) const {

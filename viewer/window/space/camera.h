@@ -35,13 +35,17 @@ class EyeCamera3 {
   void pan(double right, double up);
   // Goes nearer: divides the distance.
   void zoom(double factor);
+  // Goes nearer to a place, as if all around it grew: divides its distance and that of what is looked at, and the place
+  // stays where it is seen. REQUIRES a place apart from the eye.
+  void zoom_to(const Direction3& place, double factor);
   // Goes on the ground, as far as it looks along that, and up.
   void walk(double forward, double right, double up);
 
   double distance() const { return length(target_ - eye_); }
   double size() const { return size_; }
-  // How long a pixel is, where what is looked at is.
+  // How long a pixel is, where what is looked at is; as far away as a place is, along the way that is looked.
   double length_of_pixel(FrameSize frame) const;
+  double length_of_pixel_at(const Direction3& place, FrameSize frame) const;
 
   Camera3 camera(FrameSize frame) const;
   // Where a place is seen; nothing where it is not in front of the eye.

@@ -144,5 +144,22 @@ TEST(EyeCamera3, SeesPlacesWhereTheyAre) {
   EXPECT_FALSE(camera.line({1, -7, 0}, {1, -9, 0}, kFrame));
 }
 
+TEST(EyeCamera3, GoesNearerToAPlaceThatStaysWhereItIsSeen) {
+  const Direction3 place{0.5, 2, 1.5};
+  for (const double factor : {1.3, 0.4, 1e3, 1e9, 1e-9}) {
+    EyeCamera3 camera = some();
+    const Pixel before = camera.at(place, kFrame).value();
+    const double far = length(place - eye(camera));
+    camera.zoom_to(place, factor);
+    const Pixel after = camera.at(place, kFrame).value();
+    EXPECT_NEAR(after.x, before.x, 1e-3) << factor;
+    EXPECT_NEAR(after.y, before.y, 1e-3) << factor;
+    if (factor < 1e4 && factor > 1e-2) {
+      EXPECT_NEAR(length(place - eye(camera)), far / factor, 1e-7) << factor;
+    }
+    ASSERT_EQ(camera_problem(camera.camera(kFrame)), "") << factor;
+  }
+}
+
 }  // namespace
 }  // namespace hottel::camera_test
