@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "viewer/picture/palette.h"
+#include "viewer/window/panel.h"
 
 namespace hottel {
 namespace {
@@ -47,6 +49,8 @@ struct HelpLayout {
   std::size_t columns = 1, room = 1;
 };
 
+double across_of(const PictureCanvas& canvas, double unit) { return canvas.width() - 2 * kMargin * unit; }
+
 HelpLayout layout_of(const PictureCanvas& canvas, const std::vector<HelpRow>& rows, double unit) {
   HelpLayout set{.bold{.size = 15 * unit, .colour = palette::kInk, .weight = TextWeight::kBold},
                  .key{.size = 14 * unit, .colour = palette::kTarget, .weight = TextWeight::kBold},
@@ -57,11 +61,25 @@ HelpLayout layout_of(const PictureCanvas& canvas, const std::vector<HelpRow>& ro
   for (const HelpRow& row : rows)
     wide = std::max({wide, set.indent + canvas.text_width(row.help, set.plain), canvas.text_width(row.keys, set.key)});
   set.column = wide + kColumnGap * unit;
-  const double across = (canvas.width() - 2 * kMargin * unit + kColumnGap * unit) / set.column;
+  const double across = (across_of(canvas, unit) + kColumnGap * unit) / set.column;
   const double down = (canvas.height() - 2 * kMargin * unit) / (kRow * unit);
   set.columns = static_cast<std::size_t>(std::max(1.0, across));
   set.room = static_cast<std::size_t>(std::max(1.0, down));
   return set;
+}
+
+// Where a column is wider than the window: what keys do beneath them, in as many rows as it takes.
+std::vector<HelpRow> stacked(const PictureCanvas& canvas, const std::vector<HelpRow>& rows, HelpLayout& set,
+                             double unit) {
+  set.indent = std::min(kAfterKeys * unit, 0.1 * across_of(canvas, unit));
+  std::vector<HelpRow> result;
+  for (const HelpRow& row : rows) {
+    if (row.help.empty() || !row.keys.empty()) result.push_back({row.heading, row.keys, ""});
+    if (!row.help.empty())
+      for (std::string& line : wrapped(canvas, row.help, set.plain, across_of(canvas, unit) - set.indent))
+        result.push_back({.help = std::move(line)});
+  }
+  return result;
 }
 
 // The rows of each column: as even as can be, no heading at the end of one, no gap at its beginning.
@@ -90,8 +108,9 @@ void draw_help(PictureCanvas& canvas, std::span<const Command> commands, std::sp
                Scroll& scroll, double unit) {
   const Pixel high{canvas.width(), canvas.height()};
   canvas.fill_rectangle(Mark::kPaper, {0, 0}, high, palette::kPaper.with_alpha(0.97));
-  const std::vector<HelpRow> rows = rows_of(commands, gestures);
-  const HelpLayout set = layout_of(canvas, rows, unit);
+  std::vector<HelpRow> rows = rows_of(commands, gestures);
+  HelpLayout set = layout_of(canvas, rows, unit);
+  if (set.column - kColumnGap * unit > across_of(canvas, unit)) rows = stacked(canvas, rows, set, unit);
   const std::vector<std::span<const HelpRow>> columns = columns_of(rows, set.columns);
   const std::size_t all = std::ranges::max(columns, {}, [](const auto& c) { return c.size(); }).size();
   const std::size_t first = scroll.draw(all, set.room, {0, 0}, high);

@@ -8,8 +8,8 @@
 namespace hottel {
 namespace {
 
-constexpr double kDecades = 1e-3;                          // of the brightest
-constexpr double kGap = 12, kBar = 420, kAboveLine = 130;  // units
+constexpr double kDecades = 1e-3;                                     // of the brightest
+constexpr double kGap = 12, kBar = 420, kHigh = 76, kAboveLine = 54;  // units
 constexpr Colour kPaper{0.992, 0.988, 0.980, 0.9};
 
 ColourScale scale_of(std::span<const double> values, std::size_t channels) {
@@ -35,20 +35,20 @@ double brightness_of(std::span<const double> light) {
 LightLegend::LightLegend(const ToneCurve& tone, std::span<const double> values, std::size_t channels, std::string title)
     : tone_(tone), channels_(channels), scale_(scale_of(values, channels)), title_(std::move(title)) {}
 
-void LightLegend::draw(PictureCanvas& canvas, std::optional<double> marked, double unit) const {
+void LightLegend::draw(PictureCanvas& canvas, std::optional<double> marked, double bottom, double unit) const {
   if (is_dark()) return;
   const auto colour = [this](double value) { return tone_(std::vector<double>(channels_, value)); };
-  draw_legend_on_paper(canvas, scale_, title_, {.colour = colour, .marked = marked}, unit);
+  draw_legend_on_paper(canvas, scale_, title_, {.colour = colour, .marked = marked}, bottom, unit);
 }
 
 void draw_legend_on_paper(PictureCanvas& canvas, const ColourScale& scale, const std::string& title,
-                          const LegendMarks& marks, double unit) {
-  const double gap = kGap * unit, low = canvas.height() - kAboveLine * unit;
+                          const LegendMarks& marks, double bottom, double unit) {
+  const double gap = kGap * unit, low = std::min(bottom, canvas.height() - kAboveLine * unit) - kHigh * unit;
   const double bar = std::min(kBar * unit, (canvas.width() - 4 * gap) / 1.6);
   if (bar <= 0) return;
   const Pixel corner{2 * gap, low + 6 * unit};
   const double wide = draw_legend(canvas, scale, title, corner, bar, unit);  // drawn over by its paper
-  canvas.fill_rectangle(Mark::kPaper, {gap, low}, {3 * gap + wide, low + 76 * unit}, kPaper.with_alpha(1));
+  canvas.fill_rectangle(Mark::kPaper, {gap, low}, {3 * gap + wide, low + kHigh * unit}, kPaper.with_alpha(1));
   draw_legend(canvas, scale, title, corner, bar, unit, marks);
 }
 

@@ -23,8 +23,8 @@ class LightLegend {
 
   bool is_dark() const { return !(scale_.upper > 0); }  // nothing is lit
   const ColourScale& scale() const { return scale_; }
-  // marked: the light to be marked on the bar.
-  void draw(PictureCanvas& canvas, std::optional<double> marked, double unit) const;
+  // marked: the light to be marked on the bar. bottom: where the room for it ends.
+  void draw(PictureCanvas& canvas, std::optional<double> marked, double bottom, double unit) const;
 
  private:
   ToneCurve tone_;
@@ -33,8 +33,9 @@ class LightLegend {
   std::string title_;
 };
 
-// Draws the legend of a scale on paper, at the left of a window above its last line.
+// Draws the legend of a scale on paper, at the left of a window, where its last line would be or higher: above
+// `bottom`.
 void draw_legend_on_paper(PictureCanvas& canvas, const ColourScale& scale, const std::string& title,
-                          const LegendMarks& marks, double unit);
+                          const LegendMarks& marks, double bottom, double unit);
 
 }  // namespace hottel

@@ -62,6 +62,39 @@ std::vector<std::string> wrapped(const PictureCanvas& canvas, const std::string&
   return lines;
 }
 
+namespace {
+
+// Lines in columns, and where the columns begin.
+struct Columns {
+  std::vector<std::vector<std::string>> cells;
+  std::vector<double> begin{0};
+};
+
+template <class Style>
+Columns columns_of(const PictureCanvas& canvas, const std::vector<std::string>& lines, const Style& style,
+                   double between) {
+  Columns result;
+  std::vector<double>& begin = result.begin;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    result.cells.push_back(parted(lines[k]));
+    for (std::size_t column = 0; column + 1 < result.cells[k].size(); ++column) {
+      if (begin.size() < column + 2) begin.push_back(begin[column]);
+      const double end = begin[column] + canvas.text_width(result.cells[k][column], style(k == 0)) + between;
+      const double more = end - begin[column + 1];
+      for (std::size_t next = column + 1; more > 0 && next < begin.size(); ++next) begin[next] += more;
+    }
+  }
+  return result;
+}
+
+// The same without columns, where there is no room for the last of them.
+std::vector<std::string> without_columns(std::vector<std::string> lines) {
+  for (std::string& line : lines) std::ranges::replace(line, '\t', ' ');
+  return lines;
+}
+
+}  // namespace
+
 double draw_panel(PictureCanvas& canvas, const Panel& panel, const PanelPlace& place, double unit) {
   if (panel.lines.empty()) return 0;
   const double padding = kPadding * unit, line_height = kLine * unit;
@@ -70,22 +103,15 @@ double draw_panel(PictureCanvas& canvas, const Panel& panel, const PanelPlace& p
   bold.weight = TextWeight::kBold;
   const auto style = [&](bool is_head) { return is_head && panel.is_head_bold ? bold : regular; };
 
-  // The columns but the last of each line, and where they begin.
-  std::vector<std::vector<std::string>> cells;
-  std::vector<double> begin{0};
-  for (std::size_t k = 0; k < panel.lines.size(); ++k) {
-    cells.push_back(parted(panel.lines[k]));
-    for (std::size_t column = 0; column + 1 < cells[k].size(); ++column) {
-      if (begin.size() < column + 2) begin.push_back(begin[column]);
-      const double end = begin[column] + canvas.text_width(cells[k][column], style(k == 0)) + kBetween * unit;
-      const double more = end - begin[column + 1];
-      for (std::size_t next = column + 1; more > 0 && next < begin.size(); ++next) begin[next] += more;
-    }
-  }
+  Columns columns = columns_of(canvas, panel.lines, style, kBetween * unit);
+  const double least = 8 * kLetters * unit;
+  if (columns.begin.back() > 0 && columns.begin.back() + least > place.width - 2 * padding)
+    columns = columns_of(canvas, without_columns(panel.lines), style, 0);
+  const auto& [cells, begin] = columns;
   std::vector<Line> lines;
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const double left = begin[cells[k].size() - 1];
-    const double room = std::max(place.width - 2 * padding - left, 8 * kLetters * unit);
+    const double room = std::max(place.width - 2 * padding - left, least);
     std::vector<std::string> parts = wrapped(canvas, cells[k].back(), style(k == 0), room);
     for (std::size_t part = 0; part < parts.size(); ++part) {
       Line line{.is_head = k == 0, .is_marked = k == panel.marked};

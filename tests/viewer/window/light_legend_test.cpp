@@ -33,7 +33,7 @@ TEST(LightLegend, FitsIntoEachWindowAtEachScale) {
   for (const double unit : {1.0, 1.5, 2.0})
     for (const auto& [width, height] : {std::pair(640.0, 400.0), {1280.0, 800.0}}) {
       RecordingCanvas canvas(width, height);
-      legend_of({0.5, 100}).draw(canvas, 20, unit);
+      legend_of({0.5, 100}).draw(canvas, 20, height, unit);
       EXPECT_TRUE(canvas.wrote("radiosity [W/m²]"));
       EXPECT_TRUE(canvas.wrote("10"));
       for (const auto& call : canvas.calls())
@@ -49,8 +49,8 @@ TEST(LightLegend, FitsIntoEachWindowAtEachScale) {
 TEST(LightLegend, MarksALightWhereTheScaleHasIt) {
   RecordingCanvas canvas(1280, 800), without(1280, 800);
   const LightLegend legend = legend_of({1, 10000});
-  legend.draw(canvas, 100, 1);
-  legend.draw(without, {}, 1);
+  legend.draw(canvas, 100, 800, 1);
+  legend.draw(without, {}, 800, 1);
   const auto strokes = canvas.calls(Mark::kLegend, Kind::kStroke);
   ASSERT_EQ(strokes.size(), without.calls(Mark::kLegend, Kind::kStroke).size() + 2);
   const auto bar = canvas.calls(Mark::kLegend, Kind::kImage).back().points;

@@ -19,7 +19,8 @@ namespace {
 constexpr double kSecondsBetweenFileChecks = 1;
 constexpr std::uint32_t kMostPixelsPerCell = 8;
 constexpr double kEvenLight = 2;  // the brightest over the mean, below which light is even
-constexpr double kFreeSides = 40, kFreeTop = 64, kFreeBottom = 134;  // units around the scene
+constexpr double kFreeSides = 40, kFreeTop = 64, kFreeBottom = 134;     // units around the scene
+constexpr double kMostSide = 0.1, kMostTop = 0.16, kMostBottom = 0.34;  // of the window: half of it is the scene's
 
 }  // namespace
 
@@ -40,7 +41,9 @@ Desk2::Desk2(const std::filesystem::path& file, Window& window, SimulationReques
 void Desk2::fit() {
   const double beside = panel_width();
   const FrameSize room{static_cast<std::uint32_t>(std::max(1.0, size_.width - beside)), size_.height};
-  camera_.fit(*editor_.scene(), room, kFreeSides * unit_, kFreeTop * unit_, kFreeBottom * unit_);
+  const double top = std::min(kFreeTop * unit_, kMostTop * size_.height);
+  const double bottom = std::min(kFreeBottom * unit_, kMostBottom * size_.height);
+  camera_.fit(*editor_.scene(), room, std::min(kFreeSides * unit_, kMostSide * room.width), top, bottom);
   camera_.pan(-beside / 2, 0);
   is_fitted_ = true;
   needs_base_ = true;

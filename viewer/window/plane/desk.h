@@ -137,7 +137,7 @@ class Desk2 : public Desk {
   void draw_tool(PictureCanvas& canvas) const;
   void draw_problem(PictureCanvas& canvas);
   void draw_texts(PictureCanvas& canvas);
-  void draw_light_legend(PictureCanvas& canvas) const;
+  void draw_light_legend(PictureCanvas& canvas, double bottom) const;
   void choose_tone();
   void make_legend();
   LookDrawing2 drawing() const;

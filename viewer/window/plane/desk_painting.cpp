@@ -14,6 +14,7 @@
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/palette.h"
 #include "viewer/window/commands.h"
+#include "viewer/window/desk_texts.h"
 #include "viewer/window/file_questions.h"
 #include "viewer/window/help.h"
 #include "viewer/window/plane/desk.h"
@@ -21,8 +22,8 @@
 namespace hottel {
 namespace {
 
-constexpr double kGap = 12;          // units between boxes and the border
-constexpr double kLeastPanel = 260;  // units that a text is wide, where the window is
+constexpr double kGap = 12;                         // units between boxes and the border
+constexpr double kLegends = 138, kLeastText = 110;  // units that legends take, and texts at least
 constexpr Colour kSelected = palette::kTarget, kTouched{0.02, 0.62, 0.83, 0.55}, kDimmed{0.992, 0.988, 0.980, 0.62};
 constexpr Colour kChanged{0.98, 0.72, 0.10, 0.9};  // edges whose light is not there yet
 constexpr std::uint32_t kBlank = 0xFFFDFCFA;       // where nothing can be drawn
@@ -136,7 +137,7 @@ void Desk2::draw_problem(PictureCanvas& canvas) {
   if (state.errors.empty()) panel.lines.push_back(state.problem);
   draw_panel(canvas, panel,
              {.corner = {kGap * unit_, 52 * unit_},
-              .width = std::max(0.45 * size_.width, std::min(kLeastPanel * unit_, 0.9 * size_.width)),
+              .width = side_width(canvas, 0.45, unit_),
               .height = 0.7 * size_.height,
               .scroll = &scrolls_.of("problem")},
              unit_);
@@ -187,11 +188,11 @@ std::string Desk2::status() const {
 }
 
 // What light means, with the light under the mouse.
-void Desk2::draw_light_legend(PictureCanvas& canvas) const {
+void Desk2::draw_light_legend(PictureCanvas& canvas, double bottom) const {
   if (!legend_ || request_.look == Look2::kErrors || !looks_.state().problem.empty()) return;
   const LookResult2* result = looks_.result();
   const bool is_marked = has_mouse_ && result != nullptr && !result->at_mouse.empty() && drag_ == Drag::kNone;
-  legend_->draw(canvas, is_marked ? std::optional(brightness_of(result->at_mouse)) : std::nullopt, unit_);
+  legend_->draw(canvas, is_marked ? std::optional(brightness_of(result->at_mouse)) : std::nullopt, bottom, unit_);
 }
 
 void Desk2::make_legend() {
@@ -210,33 +211,17 @@ void Desk2::make_legend() {
 }
 
 void Desk2::draw_texts(PictureCanvas& canvas) {
-  const double gap = kGap * unit_, width = size_.width, height = size_.height;
-  draw_light_legend(canvas);
-  draw_panel(canvas, {.lines = {head()}},
-             {.corner = {gap, gap}, .width = 0.7 * width, .height = 0.3 * height, .scroll = &scrolls_.of("head")},
-             unit_);
-  draw_panel(canvas, {.lines = {"h  help"}, .is_head_bold = false},
-             {.corner = {width - gap, gap}, .is_right = true, .width = 200 * unit_}, unit_);
-  const bool has_panel =
-      (request_.look == Look2::kVisibility || !shows_light_at_mouse(request_.look)) && looks_.result() != nullptr;
-  if (has_panel)
-    draw_panel(canvas, {.lines = looks_.result()->lines},
-               {.corner = {width - gap, 52 * unit_},
-                .is_right = true,
-                .width = std::max(kPanelWidth * width, std::min(kLeastPanel * unit_, width - 2 * gap)),
-                .height = std::max(height - 190 * unit_, std::min(height - 110 * unit_, 160 * unit_)),
-                .scroll = &scrolls_.of(std::string("look ") + to_string(request_.look))},
-               unit_);
   std::string line = message_;
   if (const std::string now = status(); !now.empty()) line += (line.empty() ? "" : "   ") + now;
-  if (line.empty()) return;
-  draw_panel(canvas, {.lines = {line}, .is_head_bold = false},
-             {.corner = {gap, height - gap},
-              .is_bottom = true,
-              .width = 0.8 * width,
-              .height = 0.3 * height,
-              .scroll = &scrolls_.of("line")},
-             unit_);
+  TextRoom room = draw_head_and_line(canvas, head(), line, scrolls_, unit_);
+  draw_light_legend(canvas, room.bottom);
+  const bool has_text =
+      (request_.look == Look2::kVisibility || !shows_light_at_mouse(request_.look)) && looks_.result() != nullptr;
+  if (!has_text) return;
+  const double above_legends = canvas.height() - kLegends * unit_;
+  room.bottom = std::max(std::min(room.bottom, above_legends), std::min(room.bottom, room.top + kLeastText * unit_));
+  const SideText text{std::string("look ") + to_string(request_.look), looks_.result()->lines};
+  draw_side_texts(canvas, {&text, 1}, kPanelWidth, room, scrolls_, unit_);
 }
 
 void Desk2::draw() {

@@ -18,6 +18,7 @@
 #include "viewer/picture/space/seen_picture.h"
 #include "viewer/window/background.h"
 #include "viewer/window/desk.h"
+#include "viewer/window/desk_texts.h"
 #include "viewer/window/light_legend.h"
 #include "viewer/window/prompt.h"
 #include "viewer/window/scroll.h"
@@ -160,8 +161,8 @@ class Desk3 : public Desk {
   void draw_problem(PictureCanvas& canvas);
   void draw_touched(PictureCanvas& canvas) const;
   void draw_texts(PictureCanvas& canvas);
-  void draw_panels(PictureCanvas& canvas);
-  void draw_legends(PictureCanvas& canvas) const;
+  std::vector<SideText> side_texts() const;
+  void draw_legends(PictureCanvas& canvas, double bottom) const;
   void choose_tone();
   void add_outlines(const SeenPicture3& picture);
   std::string file_title() const;

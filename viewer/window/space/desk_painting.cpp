@@ -26,7 +26,6 @@ namespace {
 
 constexpr double kGap = 12;          // units between boxes and the border
 constexpr double kPanelWidth = 0.4;  // of the window's width, at most
-constexpr double kLeastPanel = 260;  // units that a text is wide, where the window is
 constexpr Colour kTouched{0.02, 0.62, 0.83, 0.16}, kBar{0.992, 0.988, 0.980, 0.9};
 constexpr Colour kDimmed{0.992, 0.988, 0.980, 0.62};
 constexpr std::uint32_t kBlank = 0xFFFDFCFA;  // where nothing can be drawn
@@ -132,7 +131,7 @@ void Desk3::draw_problem(PictureCanvas& canvas) {
   canvas.fill_rectangle(Mark::kPaper, {0, 0}, {canvas.width(), canvas.height()}, kDimmed);
   draw_panel(canvas, {.lines = {"no light", state().problem}, .is_warning = true},
              {.corner = {kGap * unit_, 52 * unit_},
-              .width = std::max(0.45 * size_.width, std::min(kLeastPanel * unit_, 0.9 * size_.width)),
+              .width = side_width(canvas, 0.45, unit_),
               .height = 0.7 * size_.height,
               .scroll = &scrolls_.of("problem")},
              unit_);
@@ -171,27 +170,19 @@ std::string Desk3::status() const {
   return text + "   " + look.name_of_number() + " " + value + (is_light ? " W/m²" : "");
 }
 
-void Desk3::draw_panels(PictureCanvas& canvas) {
-  const double gap = kGap * unit_, width = size_.width, height = size_.height;
-  double top = 52 * unit_;
-  const auto panel = [&](const std::string& name, std::vector<std::string> lines) {
-    if (lines.empty()) return;
-    top += gap + draw_panel(canvas, {.lines = std::move(lines)},
-                            {.corner = {width - gap, top},
-                             .is_right = true,
-                             .width = std::max(kPanelWidth * width, std::min(kLeastPanel * unit_, width - 2 * gap)),
-                             .height = std::max(height - top - 60 * unit_, 40 * unit_),
-                             .scroll = &scrolls_.of(name)},
-                            unit_);
-  };
-  if (const auto light = editor_.selected_light()) panel("light", light_lines_3(*scene(), *light));
+// What is known of what is picked and looked at.
+std::vector<SideText> Desk3::side_texts() const {
+  std::vector<SideText> texts;
   const ShownLook3 look = this->look();
-  if (request_.face && look.version()) panel("face", face_lines_3(*look.version(), *request_.face, picked_));
-  if (look.result()) panel(std::string("look ") + to_string(request_.look), look.result()->lines);
+  if (const auto light = editor_.selected_light()) texts.push_back({"light", light_lines_3(*scene(), *light)});
+  if (request_.face && look.version())
+    texts.push_back({"face", face_lines_3(*look.version(), *request_.face, picked_)});
+  if (look.result()) texts.push_back({std::string("look ") + to_string(request_.look), look.result()->lines});
+  return texts;
 }
 
 // What colours and light mean, with the value under the mouse.
-void Desk3::draw_legends(PictureCanvas& canvas) const {
+void Desk3::draw_legends(PictureCanvas& canvas, double bottom) const {
   const ShownLook3 look = this->look();
   if (!look.version()) return;
   const bool is_pointed = hover_ && drag_ == Drag::kNone;
@@ -199,32 +190,20 @@ void Desk3::draw_legends(PictureCanvas& canvas) const {
   const std::uint32_t at = is_pointed ? hover_->number_in(look.version()->model()).value_or(kNone) : kNone;
   if (look.values() != nullptr)
     return draw_legend_on_paper(canvas, look.values()->scale, look.values()->title,
-                                {.marked = at != kNone ? look.values()->elements[at] : std::nullopt}, unit_);
+                                {.marked = at != kNone ? look.values()->elements[at] : std::nullopt}, bottom, unit_);
   if (!legend_ || !state().is_lit() || !state().problem.empty()) return;
   const bool has_value = at != kNone && (at + std::size_t{1}) * paint_.channels <= paint_.values.size();
-  legend_->draw(canvas, has_value ? std::optional(brightness_of(paint_.value(at))) : std::nullopt, unit_);
+  legend_->draw(canvas, has_value ? std::optional(brightness_of(paint_.value(at))) : std::nullopt, bottom, unit_);
 }
 
 void Desk3::draw_texts(PictureCanvas& canvas) {
-  const double gap = kGap * unit_, width = size_.width, height = size_.height;
-  if (is_split()) canvas.stroke(Mark::kLegend, {split_ * width, 0}, {split_ * width, height}, kBar, 3 * unit_);
-  draw_legends(canvas);
-  draw_panel(canvas, {.lines = {head()}},
-             {.corner = {gap, gap}, .width = 0.7 * width, .height = 0.3 * height, .scroll = &scrolls_.of("head")},
-             unit_);
-  draw_panel(canvas, {.lines = {"h  help"}, .is_head_bold = false},
-             {.corner = {width - gap, gap}, .is_right = true, .width = 200 * unit_}, unit_);
-  draw_panels(canvas);
+  const double x = split_ * size_.width;
+  if (is_split()) canvas.stroke(Mark::kLegend, {x, 0}, {x, canvas.height()}, kBar, 3 * unit_);
   std::string line = message_;
   if (const std::string now = status(); !now.empty()) line += (line.empty() ? "" : "   ") + now;
-  if (line.empty()) return;
-  draw_panel(canvas, {.lines = {line}, .is_head_bold = false},
-             {.corner = {gap, height - gap},
-              .is_bottom = true,
-              .width = 0.8 * width,
-              .height = 0.3 * height,
-              .scroll = &scrolls_.of("line")},
-             unit_);
+  const TextRoom room = draw_head_and_line(canvas, head(), line, scrolls_, unit_);
+  draw_legends(canvas, room.bottom);
+  draw_side_texts(canvas, side_texts(), kPanelWidth, room, scrolls_, unit_);
 }
 
 void Desk3::draw() {
