@@ -429,26 +429,30 @@ TEST(Desk2, PansAndZooms) {
 
 // The place under the mouse stays there, whatever is looked at, at each scale, beside the panel of a look too.
 TEST(Desk2, ZoomsAndPansWhatIsPointedAtInEveryLook) {
+  TemporaryFolder folder;
+  std::ofstream(folder / "room.json") << write_scene_2(small_room());
   for (const double scale : {1.0, 1.5, 2.0}) {
-    TemporaryFolder folder;
-    std::ofstream(folder / "room.json") << write_scene_2(small_room());
     RecordingWindow window({640, 400});
     Desk2 desk(folder / "room.json", window, SimulationRequest2{}, scale);
-    const auto play = [&](const std::string& steps) {
-      play_script(parse_script(steps, "hand.txt"), "hand.txt", desk, window, {.print = [](const std::string&) {}});
-    };
+    desk.settle(Hand::kPatience);
+    const auto place_at = [&] { return desk.pixel_of({0.6, 1.3}); };
     for (int look = 0; look < kLooks2; ++look) {
-      play(std::string("do fit\ndo look ") + to_string(static_cast<Look2>(look)));
-      const Pixel middle = desk.pixel_of({0.6, 1.3});
-      const std::string at = "@" + std::to_string(middle.x) + "," + std::to_string(middle.y);
-      for (const char* notches : {"3", "-5", "0.4"}) {
-        play("wheel " + at + " " + notches);
-        EXPECT_NEAR(desk.pixel_of({0.6, 1.3}).x, middle.x, 1e-4) << look << " " << scale;
-        EXPECT_NEAR(desk.pixel_of({0.6, 1.3}).y, middle.y, 1e-4) << look << " " << scale;
+      SCOPED_TRACE(std::to_string(scale) + " " + to_string(static_cast<Look2>(look)));
+      desk.command("fit");
+      desk.command(std::string("look ") + to_string(static_cast<Look2>(look)));
+      desk.update();
+      const Pixel at = place_at();
+      for (const double notches : {3.0, -5.0, 0.4}) {
+        desk.handle({.kind = EventKind::kWheel, .x = at.x, .y = at.y, .wheel = notches});
+        desk.update();
+        EXPECT_NEAR(place_at().x, at.x, 1e-6);
+        EXPECT_NEAR(place_at().y, at.y, 1e-6);
       }
-      play("drag " + at + " @" + std::to_string(middle.x + 31) + "," + std::to_string(middle.y - 17) + " right");
-      EXPECT_NEAR(desk.pixel_of({0.6, 1.3}).x, middle.x + 31, 1e-4) << look << " " << scale;
-      EXPECT_NEAR(desk.pixel_of({0.6, 1.3}).y, middle.y - 17, 1e-4) << look << " " << scale;
+      for (const auto& [kind, dx] : {std::pair(EventKind::kPress, 0), {EventKind::kMove, 9}, {EventKind::kMove, 31}})
+        desk.handle({.kind = kind, .x = at.x + dx, .y = at.y - dx, .button = MouseButton::kRight});
+      EXPECT_NEAR(place_at().x, at.x + 31, 1e-6);
+      EXPECT_NEAR(place_at().y, at.y - 31, 1e-6);
+      desk.handle({.kind = EventKind::kRelease, .x = at.x + 31, .y = at.y - 31, .button = MouseButton::kRight});
     }
   }
 }
