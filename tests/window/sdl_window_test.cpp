@@ -259,6 +259,15 @@ TEST_F(SdlWindow, KeysAreThoseOfTheLayout) {
   EXPECT_THAT(typed("key udiaeresis key y"), ElementsAre("key \xc3\xbc", "text \xc3\xbc", "key y", "text y"));
   // With AltGr, which is no Alt.
   EXPECT_THAT(typed("key bracketleft"), ElementsAre("key 8", "text ["));
+  // Where letters are other than Latin they go by their places; what they type stays.
+  session_.set_keyboard("ru");
+  settle();
+  EXPECT_THAT(typed("key Cyrillic_er"), ElementsAre("key h", "text \xd1\x80"));
+  EXPECT_THAT(typed("key ctrl+Cyrillic_ya"), ElementsAre("key ctrl+z"));
+  // Where digits take Shift they are keys without it.
+  session_.set_keyboard("cz");
+  settle();
+  EXPECT_THAT(typed("key scaron"), ElementsAre("key 3", "text \xc5\xa1"));
 }
 
 TEST_F(SdlWindow, AResizeGivesAnEventAndTheNewSize) {

@@ -180,8 +180,19 @@ std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
   return labels;
 }
 
+namespace {
+
+// A line across the bar, paper beneath ink, so that it is seen on all colours.
+void draw_marked(PictureCanvas& canvas, double x, double top, double height, double unit) {
+  const double beyond = 3 * unit;
+  for (const auto& [colour, width] : {std::pair(palette::kPaper, 4.0), {palette::kInk, 1.8}})
+    canvas.stroke(Mark::kLegend, {x, top - beyond}, {x, top + height + beyond}, colour, width * unit);
+}
+
+}  // namespace
+
 double draw_legend(PictureCanvas& canvas, const ColourScale& scale, const std::string& title, Pixel corner,
-                   double bar_width, double unit) {
+                   double bar_width, double unit, const LegendMarks& marks) {
   const double bar_top = corner.y + 24 * unit, bar_height = 14 * unit, full_left = corner.x;
   TextStyle heading{.size = 17 * unit, .colour = palette::kInk};
   TextStyle small{.size = 14 * unit, .colour = palette::kSoftInk, .anchor = TextAnchor::kCentre};
@@ -191,8 +202,9 @@ double draw_legend(PictureCanvas& canvas, const ColourScale& scale, const std::s
   constexpr std::uint32_t kShades = 256;
   Raster shades(kShades, 1);
   for (std::uint32_t k = 0; k < kShades; ++k)
-    shades.pixels[k] = pixel_of(scale.about_zero ? scale_colour(scale, scale.value((k + 0.5) / kShades))
-                                                 : map_colour((k + 0.5) / kShades));
+    shades.pixels[k] = pixel_of(marks.colour       ? marks.colour(scale.value((k + 0.5) / kShades))
+                                : scale.about_zero ? scale_colour(scale, scale.value((k + 0.5) / kShades))
+                                                   : map_colour((k + 0.5) / kShades));
   double wide = std::max(bar_width, canvas.text_width(title, heading));
   if (scale.has_zero) {  // apart, at the left of a shorter bar
     const double swatch = 16 * unit, gap = 8 * unit;
@@ -218,6 +230,8 @@ double draw_legend(PictureCanvas& canvas, const ColourScale& scale, const std::s
     canvas.text(Mark::kLegend, {centre, bar_top + bar_height + 19 * unit}, labels[k], small);
     wide = std::max(wide, centre + half - corner.x);
   }
+  if (marks.marked)
+    draw_marked(canvas, corner.x + bar_width * scale.position(*marks.marked), bar_top, bar_height, unit);
   return wide - before;
 }
 

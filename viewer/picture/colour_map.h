@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,11 +53,18 @@ Colour scale_colour(const ColourScale& scale, double value);
 // Returns the values as labels with just the digits that tell them apart: "0", "0.05", "0.1", or "1e-06".
 std::vector<std::string> tick_labels(const std::vector<double>& ticks);
 
+// What a legend shows beside its scale: other colours than those of scale_colour, and a value that is marked; one
+// beside the scale is marked at its end.
+struct LegendMarks {
+  std::function<Colour(double value)> colour{};
+  std::optional<double> marked{};
+};
+
 // Draws a bar with the colours of a scale, labels beneath it and the title above, its top left corner at `corner`;
 // where a scale has_zero, its colour stands apart at the left. `unit` is the size of everything: the height of letters
 // is about 11 units. Returns the width that the bar, its labels and title take, at most 1.6 bars: a longer title is set
 // smaller.
 double draw_legend(PictureCanvas& canvas, const ColourScale& scale, const std::string& title, Pixel corner,
-                   double bar_width, double unit);
+                   double bar_width, double unit, const LegendMarks& marks = {});
 
 }  // namespace hottel

@@ -149,4 +149,21 @@ std::array<std::uint8_t, 3> ToneCurve::near_levels(std::span<const double> value
   return {kLevels(c[0]), kLevels(c[1]), kLevels(c[2])};
 }
 
+bool is_nearly_even(std::span<const double> values, std::size_t channels, double times) {
+  constexpr std::size_t kAsked = 5000;
+  double sum_of_logs = 0, brightest = 0, lit = 0;
+  const std::size_t places = values.size() / channels, step = std::max<std::size_t>(1, places / kAsked);
+  for (std::size_t k = 0; k < places; k += step)
+    if (const double y = luminance(rgb(values.subspan(k * channels, channels))); y > 0) {
+      sum_of_logs += std::log(y);
+      brightest = std::max(brightest, y);
+      ++lit;
+    }
+  return lit > 0 && brightest < times * std::exp(sum_of_logs / lit);
+}
+
+ToneChoice first_tone(std::span<const double> values, std::size_t channels, double times) {
+  return is_nearly_even(values, channels, times) ? ToneChoice{Tone::kMax, 0.7} : ToneChoice{};
+}
+
 }  // namespace hottel

@@ -5,13 +5,13 @@
 
 #include "viewer/picture/canvas.h"
 #include "viewer/window/commands.h"
+#include "viewer/window/scroll.h"
 
 namespace hottel {
 
-// Draws over all of the canvas. The topics "edit" and "walk", and those that begin with "material", begin a
-// column. unit: of
-// sizes, in pixels; smaller where there is no room.
+// Draws over all of the canvas: in as many columns as there is room for, each command with all of its keys. Letters
+// keep their size; what is too long is scrolled. unit: of sizes, in pixels.
 void draw_help(PictureCanvas& canvas, std::span<const Command> commands, std::span<const Gesture> gestures,
-               double unit);
+               Scroll& scroll, double unit);
 
 }  // namespace hottel

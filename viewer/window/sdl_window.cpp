@@ -152,6 +152,19 @@ constexpr std::array kKeypad{
     KeypadKey{SDLK_KP_9, "9", "pageup"},   KeypadKey{SDLK_KP_PERIOD, ".", "delete"},
 };
 
+// What the key at that place types on a keyboard with Latin letters; empty beside the letters and digits. So letters
+// and digits are commands on every keyboard: where digits take shift, and where letters are other than Latin.
+std::string latin_key(SDL_Scancode place) {
+  if (place == SDL_SCANCODE_0) return "0";
+  if (place >= SDL_SCANCODE_1 && place <= SDL_SCANCODE_9)
+    return std::string(1, static_cast<char>('1' + (place - SDL_SCANCODE_1)));
+  if (place >= SDL_SCANCODE_A && place <= SDL_SCANCODE_Z)
+    return std::string(1, static_cast<char>('a' + (place - SDL_SCANCODE_A)));
+  return "";
+}
+
+bool is_latin(SDL_Keycode key) { return (key >= 'a' && key <= 'z') || (key >= '0' && key <= '9'); }
+
 // The name of a key as WindowEvent has it, empty for those it has not.
 std::string key_name(const SDL_Keysym& key) {
   for (const NamedKey& named : kKeys)
@@ -159,6 +172,9 @@ std::string key_name(const SDL_Keysym& key) {
   for (const KeypadKey& named : kKeypad)
     if (named.code == key.sym) return key.mod & KMOD_NUM ? named.typed : named.name;
   if (key.sym >= SDLK_F1 && key.sym <= SDLK_F12) return "f" + std::to_string(key.sym - SDLK_F1 + 1);
+  const bool is_digit_place = key.scancode >= SDL_SCANCODE_1 && key.scancode <= SDL_SCANCODE_0;
+  if (!is_latin(key.sym) && (is_digit_place || key.sym > 0x7F))
+    if (std::string latin = latin_key(key.scancode); !latin.empty()) return latin;
   const bool is_character = key.sym > ' ' && key.sym != 0x7F && (key.sym & SDLK_SCANCODE_MASK) == 0;
   return is_character ? utf8(static_cast<std::uint32_t>(key.sym)) : "";
 }

@@ -8,17 +8,26 @@
 
 namespace hottel {
 
-// Tells when someone else has written a file.
+// What has become of a file since one looked at it last.
+enum class FileNews : unsigned char {
+  kNone,
+  kChanged,  // someone else has written it
+  kGone,     // it is not there any more, or cannot be read
+  kBack,     // it is there again, and can be read
+};
+
+// Tells when someone else has written, taken away or brought back a file.
 class WatchedFile {
  public:
   explicit WatchedFile(std::filesystem::path path) : path_(std::move(path)) {}
 
   const std::filesystem::path& path() const { return path_; }
   // To be called before the file is read, and after it was written.
-  void note() { seen_ = mark(); }
-  // True once for each time that the file was changed since note(). A file that is gone has not: there is nothing to
-  // read.
-  bool has_changed();
+  void note();
+  // What has become of the file since note() or the last call: each change is told once. COST: it is opened.
+  FileNews news();
+  // Whether the last that news() told is that it is gone.
+  bool is_gone() const { return is_gone_; }
 
  private:
   struct Mark {
@@ -30,6 +39,7 @@ class WatchedFile {
 
   std::filesystem::path path_;
   std::optional<Mark> seen_;
+  bool is_gone_ = false;
 };
 
 }  // namespace hottel

@@ -38,7 +38,8 @@ struct WindowEvent {
   double x = 0, y = 0;  // of the mouse, in pixels of a frame; of kMove, kPress, kRelease, kWheel
   MouseButton button = MouseButton::kNone;
   double wheel = 0;
-  // What the key types without held keys ("a", "1", "[", "space"), or is called: "enter", "escape", "tab", "backspace",
+  // What the key types without held keys ("a", "1", "[", "space"), by its place on a Latin keyboard where that is
+  // neither a Latin letter nor a digit and the place has one; or is called: "enter", "escape", "tab", "backspace",
   // "delete", "left", "right", "up", "down", "home", "end", "pageup", "pagedown", "f1" to "f12". Lower case.
   std::string key = {};
   std::string text = {};  // UTF-8

@@ -340,14 +340,23 @@ class Storm {
     if (desk_.prompt()) handle(key_event("escape"));
   }
 
-  // Another program writes the file.
+  void look_at_file() {
+    handle({.kind = Kind::kFocus});
+    desk_.desk->update();
+  }
+
+  // Another program writes the file, which is gone for a while at times.
   void rewrite() {
     const char* const other = options_.dimension == 2 ? kOther2 : kOther3;
+    if (one_in(4)) {
+      std::filesystem::remove(file());
+      look_at_file();
+      if (one_in(2)) event();
+    }
     ++result_.reads;
     write(one_in(6) ? "{" : is_changed_on_disk_ || one_in(2) ? first_ : other);
     is_changed_on_disk_ = !is_changed_on_disk_;
-    handle({.kind = Kind::kFocus});
-    desk_.desk->update();
+    look_at_file();
   }
 
   // (3)

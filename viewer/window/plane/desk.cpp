@@ -10,6 +10,7 @@
 #include "kernel/support/failure.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/plane/drawable.h"
+#include "viewer/window/file_questions.h"
 #include "viewer/window/plane/desk_script.h"
 
 namespace hottel {
@@ -17,7 +18,9 @@ namespace {
 
 constexpr double kSecondsBetweenFileChecks = 1;
 constexpr std::uint32_t kMostPixelsPerCell = 8;
-constexpr double kFreeSides = 40, kFreeTop = 64, kFreeBottom = 134;  // units around the scene
+constexpr double kEvenLight = 2;  // the brightest over the mean, below which light is even
+constexpr double kFreeSides = 40, kFreeTop = 64, kFreeBottom = 134;     // units around the scene
+constexpr double kMostSide = 0.1, kMostTop = 0.16, kMostBottom = 0.34;  // of the window: half of it is the scene's
 
 }  // namespace
 
@@ -38,7 +41,9 @@ Desk2::Desk2(const std::filesystem::path& file, Window& window, SimulationReques
 void Desk2::fit() {
   const double beside = panel_width();
   const FrameSize room{static_cast<std::uint32_t>(std::max(1.0, size_.width - beside)), size_.height};
-  camera_.fit(*editor_.scene(), room, kFreeSides * unit_, kFreeTop * unit_, kFreeBottom * unit_);
+  const double top = std::min(kFreeTop * unit_, kMostTop * size_.height);
+  const double bottom = std::min(kFreeBottom * unit_, kMostBottom * size_.height);
+  camera_.fit(*editor_.scene(), room, std::min(kFreeSides * unit_, kMostSide * room.width), top, bottom);
   camera_.pan(-beside / 2, 0);
   is_fitted_ = true;
   needs_base_ = true;
@@ -92,6 +97,7 @@ void Desk2::request_changed() {
 bool Desk2::update() {
   if (looks_.collect()) {
     needs_base_ = true;
+    choose_tone();
     looks_.set_tone(tone_, texture_pixels());
   }
   watch_file();
@@ -119,16 +125,26 @@ Pixel Desk2::pixel_of_place(std::span<const double> place) const {
 
 std::string Desk2::hashes() const { return result_hashes(looks_.state()); }
 
-// Offers a file that someone else has written.
+// The first light that there is tells the tone, unless a hand has.
+void Desk2::choose_tone() {
+  const auto lit = looks_.lit();
+  if (has_tone_ || !lit || !shines(lit->light->grid)) return;
+  has_tone_ = true;
+  tone_ = first_tone(lit->light->grid.values, lit->light->grid.channels, kEvenLight);
+}
+
+// Tells what has become of the file.
 void Desk2::watch_file() {
   until_watch_ -= since_watch_.lap();
   if (until_watch_ > 0 || prompt_) return;
   until_watch_ = kSecondsBetweenFileChecks;
-  if (!file_.has_changed()) return;
-  const std::string lost = editor_.history().is_changed() ? " (your changes are lost)" : "";
-  prompt_ = Prompt{.question = file_.path().filename().string() + " has changed on disk:  r  read it" + lost +
-                               "   escape  keep what is here",
-                   .keys = {{"r", [this] { read_again(); }}}};
+  const FileNews news = file_.news();
+  if (news == FileNews::kNone) return;
+  const bool is_changed = editor_.history().is_changed() || editor_.is_dragging();
+  FileAnswer answer = answer_to(news, file_, is_changed, [this] { read_again(); });
+  if (answer.is_to_be_read) read_again();
+  if (message_.empty()) message_ = answer.message;
+  prompt_ = std::move(answer.question);
   needs_frame_ = true;
 }
 
@@ -168,12 +184,10 @@ void Desk2::save_as(const std::filesystem::path& file) {
 }
 
 void Desk2::quit() {
-  if (!editor_.history().is_changed()) {
-    wants_quit_ = true;
-    return;
-  }
-  prompt_ = Prompt{.question = "unsaved changes:  s  save and quit   d  drop them and quit   escape  stay",
-                   .keys = {{"s", [this] { wants_quit_ = save().empty(); }}, {"d", [this] { wants_quit_ = true; }}}};
+  const auto leave = [this] { wants_quit_ = true; };
+  if (!quitting_loses(file_, editor_.history().is_changed())) return leave();
+  prompt_ = quit_question(
+      file_, [this] { return save(); }, leave);
 }
 
 void Desk2::save_picture(const std::filesystem::path& file) const {

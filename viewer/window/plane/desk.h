@@ -14,11 +14,13 @@
 #include "solver/plane/simulation/simulation_request.h"
 #include "viewer/edit/plane/scene_editor.h"
 #include "viewer/window/desk.h"
+#include "viewer/window/light_legend.h"
 #include "viewer/window/panel.h"
 #include "viewer/window/plane/camera.h"
 #include "viewer/window/plane/scene_file.h"
 #include "viewer/window/plane/scene_looks.h"
 #include "viewer/window/prompt.h"
+#include "viewer/window/scroll.h"
 #include "viewer/window/window.h"
 
 namespace hottel {
@@ -33,7 +35,8 @@ inline constexpr double kPanelWidth = 0.36;
 //   (2) a scene whose light cannot be had is drawn over the last light, dimmed, with the message of `check`
 //   (3) while something is dragged, light is on a coarse grid, and the window says so; at rest, state() is that of
 //       SceneLooks2 (1)
-//   (4) nothing is lost: quitting and reading the file again ask where there are unsaved changes
+//   (4) nothing is lost: quitting and reading the file again ask where there are unsaved changes; that the file is gone
+//       is told, and when it is back it is read, or asked about
 //   (5) a command that can do nothing says why in message(): what a key does is seen
 //   (6) while lights move, what is shown is scene_after() of the scene at some time since they began, on the coarse
 //   grid;
@@ -83,6 +86,7 @@ class Desk2 : public Desk {
   void press(const WindowEvent& event);
   void move(const WindowEvent& event);
   void release(const WindowEvent& event);
+  void wheel(const WindowEvent& event);
   void click();
   Face asked_face(const Pick2& pick) const;
   std::string asked_name(const Pick2& pick) const;
@@ -131,8 +135,11 @@ class Desk2 : public Desk {
   void draw_selection(PictureCanvas& canvas) const;
   void draw_lights(PictureCanvas& canvas) const;
   void draw_tool(PictureCanvas& canvas) const;
-  void draw_problem(PictureCanvas& canvas) const;
-  void draw_texts(PictureCanvas& canvas) const;
+  void draw_problem(PictureCanvas& canvas);
+  void draw_texts(PictureCanvas& canvas);
+  void draw_light_legend(PictureCanvas& canvas, double bottom) const;
+  void choose_tone();
+  void make_legend();
   LookDrawing2 drawing() const;
   std::string file_title() const;
   std::string head() const;
@@ -147,7 +154,8 @@ class Desk2 : public Desk {
   FrameSize size_;
   Camera2 camera_;
   LookRequest2 request_;
-  LightTone2 tone_;
+  ToneChoice tone_;
+  bool has_tone_ = false;  // chosen for the first light, or by hand
   double split_ = 0.5;
   bool shows_help_ = false, wants_quit_ = false;
   bool is_fitted_ = true;  // until the view is moved by hand
@@ -169,6 +177,11 @@ class Desk2 : public Desk {
   std::uint64_t shown_version_ = 0;
   std::optional<Rational> time_;         // since lights began to move; none where they stand
   std::shared_ptr<const Scene2> moved_;  // the scene after that time; null until it goes by
+  // What light means, of that light through that tone.
+  std::optional<LightLegend> legend_;
+  std::shared_ptr<const SolvedLight2> legend_of_;
+  ToneChoice legend_tone_;
+  Scrolls scrolls_;
   bool needs_base_ = true, needs_frame_ = true;
   Raster base_, frame_;
   Stopwatch since_watch_;

@@ -66,8 +66,12 @@ bool Desk2::look_command(std::string_view name) {
     request_.wants_closed_form = !request_.wants_closed_form;
   } else if (name == "tone") {
     tone_.tone = next_of(kTones, tone_.tone, 1);
+    has_tone_ = true;
   } else if (name == "darker" || name == "brighter") {
     tone_.exposure *= name == "brighter" ? kExposureStep : 1 / kExposureStep;
+    has_tone_ = true;
+  } else if (name == "page up" || name == "page down") {
+    if (!scrolls_.turn(name == "page up" ? -1 : 1, mouse_)) message_ = "no text has more to show";
   } else if (name == "fit") {
     fit();
   } else if (name == "help") {

@@ -65,11 +65,7 @@ void Desk2::handle(const WindowEvent& event) {
       mouse_ = {event.x, event.y};
       return release(event);
     case Kind::kWheel:
-      camera_.zoom({event.x, event.y}, size_, std::pow(kPerNotch, event.wheel));
-      is_fitted_ = false;
-      looks_.set_tone(tone_, texture_pixels());
-      needs_base_ = true;
-      return;
+      return wheel(event);
     case Kind::kKey:
       if (prompt_) {
         drops_text_ = false;
@@ -79,7 +75,7 @@ void Desk2::handle(const WindowEvent& event) {
       drops_text_ = prompt_ && event.key.size() == 1 && !event.held.ctrl && !event.held.alt;
       return;
     case Kind::kText:
-      if (!std::exchange(drops_text_, false) && prompt_ && prompt_->keys.empty()) prompt_->text += event.text;
+      if (!std::exchange(drops_text_, false) && prompt_ && prompt_->keys.empty()) type_into(*prompt_, event.text);
       return;
     case Kind::kFocus:
       until_watch_ = 0;
@@ -87,6 +83,19 @@ void Desk2::handle(const WindowEvent& event) {
     case Kind::kWake:
       return;
   }
+}
+
+// Scrolls a text, or zooms about what is under the mouse, which stays there.
+void Desk2::wheel(const WindowEvent& event) {
+  mouse_ = {event.x, event.y};
+  has_mouse_ = true;
+  if (scrolls_.wheel(mouse_, event.wheel) || shows_help_) return;
+  camera_.zoom(mouse_, size_, std::pow(kPerNotch, event.wheel));
+  is_fitted_ = false;
+  looks_.set_tone(tone_, texture_pixels());
+  needs_base_ = true;
+  if (drag_ == Drag::kNone) touch();
+  request_changed();
 }
 
 // The whole scene stays in sight, unless the view was moved by hand.
@@ -190,6 +199,7 @@ void Desk2::click() {
 }
 
 void Desk2::key(const WindowEvent& event) {
+  if (event.held == HeldKeys() && scrolls_.key(event.key, mouse_, shows_help_ ? "help" : "")) return;
   const std::string_view name = command_of_key(key_text(event));
   if (!name.empty()) command(name);
 }

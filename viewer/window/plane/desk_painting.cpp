@@ -14,13 +14,16 @@
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/palette.h"
 #include "viewer/window/commands.h"
+#include "viewer/window/desk_texts.h"
+#include "viewer/window/file_questions.h"
 #include "viewer/window/help.h"
 #include "viewer/window/plane/desk.h"
 
 namespace hottel {
 namespace {
 
-constexpr double kGap = 12;  // units between boxes and the border
+constexpr double kGap = 12;                         // units between boxes and the border
+constexpr double kLegends = 138, kLeastText = 110;  // units that legends take, and texts at least
 constexpr Colour kSelected = palette::kTarget, kTouched{0.02, 0.62, 0.83, 0.55}, kDimmed{0.992, 0.988, 0.980, 0.62};
 constexpr Colour kChanged{0.98, 0.72, 0.10, 0.9};  // edges whose light is not there yet
 constexpr std::uint32_t kBlank = 0xFFFDFCFA;       // where nothing can be drawn
@@ -55,6 +58,7 @@ void Desk2::draw_marks(PictureCanvas& canvas) const {
 void Desk2::draw_base() {
   base_ = Raster(size_.width, size_.height);
   needs_base_ = false;
+  make_legend();
   try {
     CairoCanvas canvas(base_);
     draw_marks(canvas);
@@ -111,7 +115,7 @@ void Desk2::draw_tool(PictureCanvas& canvas) const {
 }
 
 // Where the scene has no light, and what `check` says of it.
-void Desk2::draw_problem(PictureCanvas& canvas) const {
+void Desk2::draw_problem(PictureCanvas& canvas) {
   const LiveState2& state = looks_.state();
   if (state.problem.empty()) return;
   const Frame2 frame = camera_.frame(size_);
@@ -132,13 +136,14 @@ void Desk2::draw_problem(PictureCanvas& canvas) const {
     if (edge.from == edge.to) mark(frame.at(edge.from));
   if (state.errors.empty()) panel.lines.push_back(state.problem);
   draw_panel(canvas, panel,
-             {.corner = {kGap * unit_, 52 * unit_}, .width = 0.45 * size_.width, .height = 0.7 * size_.height}, unit_);
+             {.corner = {kGap * unit_, 52 * unit_},
+              .width = side_width(canvas, 0.45, unit_),
+              .height = 0.7 * size_.height,
+              .scroll = &scrolls_.of("problem")},
+             unit_);
 }
 
-// The name of the file, with a star where it lacks an edit.
-std::string Desk2::file_title() const {
-  return file_.path().filename().string() + (editor_.history().is_changed() ? " *" : "");
-}
+std::string Desk2::file_title() const { return title_of(file_, editor_.history().is_changed()); }
 
 std::string Desk2::head() const {
   const LiveState2& state = looks_.state();
@@ -147,6 +152,7 @@ std::string Desk2::head() const {
   if (request_.look == Look2::kFloor) text += fmt::format(" x {:.3g}", tone_.exposure);
   if (request_.look == Look2::kErrors) text += ": " + request_.method;
   if (time_) text += fmt::format("   {:.2f} s", to_double(*time_));
+  if (legend_ && legend_->is_dark()) text += "   nothing shines: the plan";
   if (looks_.is_behind()) text += "   numbers before the last edit";
   if (!state.light) return text;
   const bool is_behind = state.scene != shown_scene();
@@ -178,43 +184,61 @@ std::string Desk2::status() const {
     text += material ? " of " + scene.materials[*material].name : ", opaque and black";
   }
   if (!has_number || result->request.other != looks_.request().other) return text;
-  return text + (is_of_place ? "   mean irradiance " : "   ") + result->number;
+  return text + (is_of_place ? "   mean irradiance " + result->number + " W/m" : "   " + result->number);
 }
 
-void Desk2::draw_texts(PictureCanvas& canvas) const {
-  const double gap = kGap * unit_, width = size_.width, height = size_.height;
-  draw_panel(canvas, {.lines = {head()}}, {.corner = {gap, gap}, .width = 0.7 * width}, unit_);
-  draw_panel(canvas, {.lines = {"h  help"}, .is_head_bold = false},
-             {.corner = {width - gap, gap}, .is_right = true, .width = 200 * unit_}, unit_);
-  const bool has_panel =
-      (request_.look == Look2::kVisibility || !shows_light_at_mouse(request_.look)) && looks_.result() != nullptr;
-  if (has_panel)
-    draw_panel(canvas, {.lines = looks_.result()->lines},
-               {.corner = {width - gap, 52 * unit_},
-                .is_right = true,
-                .width = kPanelWidth * width,
-                .height = height - 190 * unit_},
-               unit_);
+// What light means, with the light under the mouse.
+void Desk2::draw_light_legend(PictureCanvas& canvas, double bottom) const {
+  if (!legend_ || request_.look == Look2::kErrors || !looks_.state().problem.empty()) return;
+  const LookResult2* result = looks_.result();
+  const bool is_marked = has_mouse_ && result != nullptr && !result->at_mouse.empty() && drag_ == Drag::kNone;
+  legend_->draw(canvas, is_marked ? std::optional(brightness_of(result->at_mouse)) : std::nullopt, bottom, unit_);
+}
+
+void Desk2::make_legend() {
+  const LookDrawing2 drawing = this->drawing();
+  const std::shared_ptr<const SolvedLight2> light = drawing.state->prepared ? shown_light_2(drawing) : nullptr;
+  if (light == legend_of_ && tone_ == legend_tone_ && request_.look != Look2::kFloor) return;
+  legend_of_ = light;
+  legend_tone_ = tone_;
+  legend_.reset();
+  if (!light) return;
+  const IlluminationGrid2& grid = light->grid;
+  const Tone tone = request_.look == Look2::kFloor ? Tone::kMax : tone_.tone;
+  legend_tone_.tone = tone;
+  legend_.emplace(ToneCurve(tone, tone_.exposure, grid.values, grid.channels), grid.values, grid.channels,
+                  grid.channels == 2 ? "mean irradiance, solar [W/m]" : "mean irradiance [W/m]");
+}
+
+void Desk2::draw_texts(PictureCanvas& canvas) {
   std::string line = message_;
   if (const std::string now = status(); !now.empty()) line += (line.empty() ? "" : "   ") + now;
-  if (line.empty()) return;
-  draw_panel(canvas, {.lines = {line}, .is_head_bold = false},
-             {.corner = {gap, height - gap}, .is_bottom = true, .width = 0.8 * width}, unit_);
+  TextRoom room = draw_head_and_line(canvas, head(), line, scrolls_, unit_);
+  draw_light_legend(canvas, room.bottom);
+  const bool has_text =
+      (request_.look == Look2::kVisibility || !shows_light_at_mouse(request_.look)) && looks_.result() != nullptr;
+  if (!has_text) return;
+  const double above_legends = canvas.height() - kLegends * unit_;
+  room.bottom = std::max(std::min(room.bottom, above_legends), std::min(room.bottom, room.top + kLeastText * unit_));
+  const SideText text{std::string("look ") + to_string(request_.look), looks_.result()->lines};
+  draw_side_texts(canvas, {&text, 1}, kPanelWidth, room, scrolls_, unit_);
 }
 
 void Desk2::draw() {
   if (needs_base_ || base_.width != size_.width || base_.height != size_.height) draw_base();
   frame_ = base_;
   CairoCanvas canvas(frame_);
+  scrolls_.begin_frame();
   draw_lights(canvas);
   draw_selection(canvas);
   draw_tool(canvas);
   draw_problem(canvas);
   if (shows_help_)
-    draw_help(canvas, commands(), gestures(), unit_);
+    draw_help(canvas, commands(), gestures(), scrolls_.of("help"), unit_);
   else
     draw_texts(canvas);
-  if (prompt_) draw_prompt(canvas, *prompt_, unit_);
+  if (prompt_) draw_prompt(canvas, *prompt_, scrolls_.of("prompt"), unit_);
+  scrolls_.end_frame();
   canvas.finish();
   std::string title = file_title() + " - hottel";
   if (title != title_) window_.set_title(title);

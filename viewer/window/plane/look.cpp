@@ -63,6 +63,7 @@ void add_sight(const LiveState2& state, LookResult2& result, const StageProgress
   if (!state.radiosities) return;
   const PointLight2 light = light_at(*state.simulation, sight.polygon, progress);
   result.number = text_of(light);
+  if (!result.number.empty()) result.at_mouse = light.mean_irradiance;
   if (result.request.look == Look2::kVisibility && !result.number.empty())
     result.lines.insert(result.lines.begin() + 1, "mean irradiance " + result.number);
 }

@@ -67,6 +67,7 @@ struct LookResult2 {
   LookRequest2 request;
   std::vector<std::string> lines{};  // of text, for a panel
   std::string number{};              // what to copy: with all digits
+  std::vector<double> at_mouse{};    // light there, by channel: mean irradiance
   std::optional<VisibilityDrawing2> sight{};
   std::optional<PairDrawing2> pair{};
   std::optional<ScenePicture2> plan{};          // of kErrors: faces and floors by error

@@ -25,12 +25,12 @@ constexpr double kFooter = 118;                 // its content ends above the li
 constexpr std::uint32_t kCoarsePixels = 4;      // of a cell of a coarse grid
 constexpr Colour kOutside{0.36, 0.365, 0.385};  // around light
 
-ToneCurve curve_of(const IlluminationGrid2& light, const LightTone2& tone) {
+ToneCurve curve_of(const IlluminationGrid2& light, const ToneChoice& tone) {
   return {tone.tone, tone.exposure, light.values, light.channels};
 }
 
 // With one pixel a cell the light is that of the cells; with more it is blended, but not through walls.
-Raster texture_of(const IlluminationGrid2& light, const PreparedScene2& prepared, const LightTone2& tone,
+Raster texture_of(const IlluminationGrid2& light, const PreparedScene2& prepared, const ToneChoice& tone,
                   std::uint32_t pixels) {
   return toned_pixels_2(light,
                         pixels > 1 ? LightPixels2(prepared, light, pixels, pixels) : LightPixels2(light, 1, 1, nullptr),
@@ -62,7 +62,7 @@ void draw_light(PictureCanvas& canvas, const Frame2& frame, double unit, const L
                 const SolvedLight2& light) {
   const LiveState2& state = *drawing.state;
   canvas.fill_rectangle(Mark::kPaper, {0, 0}, {frame.width(), frame.height()}, kOutside);
-  LightTone2 tone = drawing.tone;
+  ToneChoice tone = drawing.tone;
   const bool is_floor = drawing.request->look == Look2::kFloor;
   if (is_floor) {
     tone.tone = Tone::kMax;
@@ -192,11 +192,24 @@ void draw_findings(PictureCanvas& canvas, const Frame2& frame, double unit, cons
 
 }  // namespace
 
-Raster light_texture_2(const LiveState2& state, const LightTone2& tone, std::uint32_t pixels_per_cell) {
+std::shared_ptr<const SolvedLight2> shown_light_2(const LookDrawing2& drawing) {
+  const Look2 look = drawing.request->look;
+  const LookResult2* result = result_of(drawing);
+  if (look == Look2::kSweeps && result && result->light) return result->light;
+  const bool is_lit =
+      look == Look2::kLight || look == Look2::kFloor || look == Look2::kErrors || look == Look2::kSweeps;
+  return is_lit ? drawing.state->light : nullptr;
+}
+
+bool shines(const IlluminationGrid2& light) {
+  return std::ranges::any_of(light.values, [](double value) { return value > 0; });
+}
+
+Raster light_texture_2(const LiveState2& state, const ToneChoice& tone, std::uint32_t pixels_per_cell) {
   return texture_of(state.light->grid, *state.prepared, tone, pixels_per_cell);
 }
 
-Raster first_texture_2(const LiveState2& state, const LightTone2& tone) {
+Raster first_texture_2(const LiveState2& state, const ToneChoice& tone) {
   return light_texture_2(state, tone, state.depth == LiveDepth2::kCoarse ? kCoarsePixels : 1);
 }
 
@@ -216,12 +229,9 @@ void draw_look(PictureCanvas& canvas, const Frame2& frame, double unit, const Lo
     return;
   }
   const auto sheet = [&] { return SceneSheet2(*state.prepared, frame, unit, kFooter); };
-  const bool is_lit = request.look == Look2::kLight || request.look == Look2::kFloor ||
-                      request.look == Look2::kErrors || request.look == Look2::kSweeps;
-  if (is_lit && state.light) {
+  if (const std::shared_ptr<const SolvedLight2> light = shown_light_2(drawing)) {
     if (request.look == Look2::kErrors) return draw_split(canvas, frame, unit, drawing);
-    const bool has_own = request.look == Look2::kSweeps && result && result->light;
-    return draw_light(canvas, frame, unit, drawing, has_own ? *result->light : *state.light);
+    if (shines(light->grid)) return draw_light(canvas, frame, unit, drawing, *light);
   }
   if (request.look == Look2::kBands && state.radiosities) return draw_plan(canvas, frame, unit, state, bands_of(state));
   if (request.look == Look2::kVisibility && result && result->sight)

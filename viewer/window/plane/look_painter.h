@@ -8,30 +8,22 @@
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/picture_options.h"
 #include "viewer/picture/plane/frame.h"
+#include "viewer/picture/tone_curve.h"
 #include "viewer/window/plane/look.h"
 
 namespace hottel {
 
-class ToneCurve;
-
-// How light becomes colours in a window.
-struct LightTone2 {
-  Tone tone = Tone::kLog;
-  double exposure = 1;
-  friend bool operator==(const LightTone2&, const LightTone2&) = default;
-};
-
 // The light of a state as pixels: one a cell, or `pixels_per_cell` across and up, blended without leaking through the
 // scene's edges. The tone curve is fitted as `solve` fits it. REQUIRES a state with light, pixels_per_cell >= 1.
-Raster light_texture_2(const LiveState2& state, const LightTone2& tone, std::uint32_t pixels_per_cell = 1);
+Raster light_texture_2(const LiveState2& state, const ToneChoice& tone, std::uint32_t pixels_per_cell = 1);
 
 // The same as fast as it can be had: one pixel a cell, a few where cells are coarse.
-Raster first_texture_2(const LiveState2& state, const LightTone2& tone);
+Raster first_texture_2(const LiveState2& state, const ToneChoice& tone);
 
 // The light of a state as pixels, with the state that it is of.
 struct LightTexture2 {
   std::shared_ptr<const LiveState2> state;
-  LightTone2 tone;
+  ToneChoice tone;
   std::uint32_t pixels_per_cell = 1;
   Raster raster;
 };
@@ -41,7 +33,7 @@ struct LookDrawing2 {
   const LiveState2* state;
   const LookRequest2* request;
   const LookResult2* result = nullptr;  // null: there is none yet
-  LightTone2 tone{};
+  ToneChoice tone{};
   const LightTexture2* texture = nullptr;  // not made anew where it is of this state and this tone
   double split = 0.5;                      // of kErrors: where the bar is, a fraction of the width
 };
@@ -51,10 +43,17 @@ struct LookDrawing2 {
 //   (1) the marks are those of the pictures of viewer/picture/plane in the same frame
 //   (2) without a prepared scene only its edges are drawn; without light, the plan
 //   (3) a result of another version of the scene is not drawn
-//   (4) kFloor: each cell a rectangle of one colour, floor colour times light, so that the brightest is the floor's own
+//   (4) light of which there is none is not drawn: there is the plan
+//   (5) kFloor: each cell a rectangle of one colour, floor colour times light, so that the brightest is the floor's own
 //       colour at exposure 1
 // REQUIRES a state with a scene; frame and canvas of one size. unit: as SceneSheet2 takes it.
 void draw_look(PictureCanvas& canvas, const Frame2& frame, double unit, const LookDrawing2& drawing);
+
+// The light that draw_look shows; null where the look shows another thing.
+std::shared_ptr<const SolvedLight2> shown_light_2(const LookDrawing2& drawing);
+
+// Whether any light is not 0.
+bool shines(const IlluminationGrid2& light);
 
 // Draws the edges of a scene alone, which need not be valid.
 void draw_edges(PictureCanvas& canvas, const Frame2& frame, const Scene2& scene, const Colour& colour,

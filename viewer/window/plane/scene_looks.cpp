@@ -29,7 +29,7 @@ void SceneLooks2::set_request(const LookRequest2& request) {
   ask();
 }
 
-void SceneLooks2::set_tone(const LightTone2& tone, std::uint32_t pixels_per_cell) {
+void SceneLooks2::set_tone(const ToneChoice& tone, std::uint32_t pixels_per_cell) {
   if (tone == tone_ && pixels_per_cell == pixels_per_cell_) return;
   const bool is_other_tone = !(tone == tone_);
   tone_ = tone;

@@ -27,7 +27,7 @@ class SceneLooks2 {
   void set_scene(std::shared_ptr<const Scene2> scene, LiveDepth2 depth);
   void set_request(const LookRequest2& request);
   // pixels_per_cell: how fine the texture should be at rest.
-  void set_tone(const LightTone2& tone, std::uint32_t pixels_per_cell);
+  void set_tone(const ToneChoice& tone, std::uint32_t pixels_per_cell);
   void look_again();  // begins anew what is looked at
 
   // Takes what has come. True where something that is drawn has changed.
@@ -40,7 +40,7 @@ class SceneLooks2 {
   // The last with light; may be null.
   std::shared_ptr<const LiveState2> lit() const { return texture_ ? texture_->state : nullptr; }
   const LookRequest2& request() const { return request_; }
-  const LightTone2& tone() const { return tone_; }
+  const ToneChoice& tone() const { return tone_; }
   // Of the look asked for, or null. It is of the state that came last unless is_behind().
   const LookResult2* result() const { return result_ ? &*result_ : nullptr; }
   bool is_behind() const { return result_ && result_->version != state_->version; }
@@ -54,7 +54,7 @@ class SceneLooks2 {
   LiveScene2 live_;
   std::shared_ptr<const LiveState2> state_;
   LookRequest2 request_;
-  LightTone2 tone_;
+  ToneChoice tone_;
   std::uint32_t pixels_per_cell_ = 1;  // wanted
   std::optional<LookResult2> result_;
   std::shared_ptr<const LightTexture2> texture_;

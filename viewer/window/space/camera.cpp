@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kLeastAngle = 1;                   // degrees between the way one looks and up or down
 constexpr double kNearest = 1e-6, kFarthest = 1e3;  // sizes of the scene
+constexpr double kMostWidening = 4;                 // of what is seen, in narrow frames
 constexpr int kBits = 30;                           // of a coordinate, below the size of the scene
 
 double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
@@ -27,6 +28,7 @@ EyeCamera3::EyeCamera3(const Camera3& camera, double size)
       target_(place_of(camera.target)),
       up_(unit({to_double(camera.up.x), to_double(camera.up.y), to_double(camera.up.z)})),
       field_of_view_(camera.field_of_view),
+      aspect_(static_cast<double>(camera.width) / camera.height),
       size_(size) {
   zoom(1);
   turn(0, 0);
@@ -54,14 +56,35 @@ void EyeCamera3::zoom(double factor) {
   eye_ = target_ - std::clamp(distance() / factor, kNearest * size_, kFarthest * size_) * forward();
 }
 
+void EyeCamera3::zoom_to(const Direction3& place, double factor) {
+  const double nearest = std::min(distance(), length(eye_ - place)), farthest = std::max(distance(), nearest);
+  const double least = farthest / (kFarthest * size_), most = nearest / (kNearest * size_);
+  const double by = std::clamp(factor, std::min(least, 1.0), std::max(most, 1.0));
+  eye_ = place + (1 / by) * (eye_ - place);
+  target_ = place + (1 / by) * (target_ - place);
+}
+
 void EyeCamera3::walk(double forward_length, double right_length, double up_length) {
   const Direction3 way = forward_length * cross(up_, right()) + right_length * right() + up_length * up_;
   eye_ = eye_ + way;
   target_ = target_ + way;
 }
 
-double EyeCamera3::length_of_pixel(FrameSize frame) const {
-  return 2 * distance() * std::tan(radians(to_double(field_of_view_)) / 2) / frame.height;
+double EyeCamera3::half_height(FrameSize frame) const {
+  const double narrower = std::clamp(aspect_ * frame.height / frame.width, 1.0, kMostWidening);
+  return narrower * std::tan(radians(to_double(field_of_view_)) / 2);
+}
+
+Rational EyeCamera3::field_of_view(FrameSize frame) const {
+  const double half = half_height(frame);
+  if (half == std::tan(radians(to_double(field_of_view_)) / 2)) return field_of_view_;
+  return exact_value(2 * std::atan(half) * (180 / std::numbers::pi));
+}
+
+double EyeCamera3::length_of_pixel(FrameSize frame) const { return 2 * distance() * half_height(frame) / frame.height; }
+
+double EyeCamera3::length_of_pixel_at(const Direction3& place, FrameSize frame) const {
+  return length_of_pixel(frame) * dot(place - eye_, forward()) / distance();
 }
 
 Camera3 EyeCamera3::camera(FrameSize frame) const {
@@ -76,7 +99,7 @@ Camera3 EyeCamera3::camera(FrameSize frame) const {
   result.eye = exact(eye_);
   result.target = exact(target_);
   result.up = {exact_value(up_.x), exact_value(up_.y), exact_value(up_.z)};
-  result.field_of_view = field_of_view_;
+  result.field_of_view = field_of_view(frame);
   result.width = std::min(frame.width, kMaxPixels);
   result.height = std::min(frame.height, kMaxPixels);
   return result;
@@ -86,7 +109,7 @@ std::optional<Pixel> EyeCamera3::at(const Direction3& place, FrameSize frame) co
   const Direction3 way = place - eye_;
   const double out = dot(way, forward());
   if (!(out > 0)) return std::nullopt;
-  const double per_length = frame.height / (2 * std::tan(radians(to_double(field_of_view_)) / 2)) / out;
+  const double per_length = frame.height / (2 * half_height(frame)) / out;
   return Pixel{frame.width / 2.0 + dot(way, right()) * per_length,
                frame.height / 2.0 - dot(way, cross(right(), forward())) * per_length};
 }

@@ -18,6 +18,7 @@
 #include "viewer/edit/space/typed_point.h"
 #include "viewer/picture/space/camera_view.h"
 #include "viewer/picture/space/render_picture.h"
+#include "viewer/window/file_questions.h"
 #include "viewer/window/script_player.h"
 #include "viewer/window/written_hash.h"
 
@@ -25,6 +26,8 @@ namespace hottel {
 namespace {
 
 constexpr double kSecondsBetweenFileChecks = 1;
+// The brightest over the mean, below which light is even, and faces are hard to tell apart.
+constexpr double kEvenLight = 3, kEvenForms = 4;
 
 // The longest side of the box around the scene; 1 where there is none.
 double size_of(const Scene3& scene) {
@@ -128,12 +131,27 @@ bool Desk3::update() {
     fit();
   }
   if (has_come || has_looked) needs_base_ = true;
+  choose_tone();
   if (state().version != asked_of_) ask(request_.look == LookKind3::kSweeps);
   watch_file();
   if (!needs_base_ && !needs_frame_) return false;
   draw();
   window_.show(frame_);
   return true;
+}
+
+// The first light that there is tells the tone, unless a hand has.
+void Desk3::choose_tone() {
+  if (has_tone_ || !state().is_lit() || !live_.is_at_rest()) return;
+  const ElementPaint3& light = state().version->light();
+  const bool shines = std::ranges::any_of(light.values, [](double value) { return value > 0; });
+  needs_base_ = needs_base_ || shines || !has_outlines_;
+  has_outlines_ = !shines || is_nearly_even(light.values, light.channels, kEvenForms);
+  if (!shines) return;
+  const ToneChoice choice = first_tone(light.values, light.channels, kEvenLight);
+  has_tone_ = true;
+  tone_ = choice.tone;
+  exposure_ = choice.exposure;
 }
 
 void Desk3::settle(double seconds) {
@@ -179,16 +197,17 @@ void Desk3::ask(bool stops) {
   stops ? looking_.post(std::move(work)) : looking_.follow(std::move(work));
 }
 
-// Offers a file that someone else has written.
+// Tells what has become of the file.
 void Desk3::watch_file() {
   until_watch_ -= since_watch_.lap();
   if (until_watch_ > 0 || prompt_) return;
   until_watch_ = kSecondsBetweenFileChecks;
-  if (!file_.has_changed()) return;
-  const std::string lost = is_changed() ? " (your changes are lost)" : "";
-  prompt_ = Prompt{.question = file_.path().filename().string() + " has changed on disk:  r  read it" + lost +
-                               "   escape  keep what is here",
-                   .keys = {{"r", [this] { read_again(); }}}};
+  const FileNews news = file_.news();
+  if (news == FileNews::kNone) return;
+  FileAnswer answer = answer_to(news, file_, is_changed() || editor_.is_dragging(), [this] { read_again(); });
+  if (answer.is_to_be_read) read_again();
+  if (message_.empty()) message_ = answer.message;
+  prompt_ = std::move(answer.question);
   needs_frame_ = true;
 }
 
@@ -234,12 +253,10 @@ void Desk3::save_as(const std::filesystem::path& file) {
 }
 
 void Desk3::quit() {
-  if (!is_changed()) {
-    wants_quit_ = true;
-    return;
-  }
-  prompt_ = Prompt{.question = "unsaved changes:  s  save and quit   d  drop them and quit   escape  stay",
-                   .keys = {{"s", [this] { wants_quit_ = save().empty(); }}, {"d", [this] { wants_quit_ = true; }}}};
+  const auto leave = [this] { wants_quit_ = true; };
+  if (!quitting_loses(file_, is_changed())) return leave();
+  prompt_ = quit_question(
+      file_, [this] { return save(); }, leave);
 }
 
 void Desk3::save_picture(const std::filesystem::path& file) const {

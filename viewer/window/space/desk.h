@@ -18,7 +18,10 @@
 #include "viewer/picture/space/seen_picture.h"
 #include "viewer/window/background.h"
 #include "viewer/window/desk.h"
+#include "viewer/window/desk_texts.h"
+#include "viewer/window/light_legend.h"
 #include "viewer/window/prompt.h"
+#include "viewer/window/scroll.h"
 #include "viewer/window/space/camera.h"
 #include "viewer/window/space/desk_source.h"
 #include "viewer/window/space/live_scene.h"
@@ -35,9 +38,12 @@ namespace hottel {
 //   (2) at rest, the light is that of LiveScene3 (1)
 //   (3) the eye never gets into a solid: what would bring it there does nothing, and says so. Neither does a light, nor
 //       onto a surface, nor out of all rooms
-//   (4) nothing is lost: quitting and reading the file again ask where there are unsaved changes
+//   (4) nothing is lost: quitting and reading the file again ask where there are unsaved changes; that the file is gone
+//       is told, and when it is back it is read, or asked about
 //   (5) a command that can do nothing says why in message(): what a key does is seen
 //   (6) while lights move, what is shown is the light of scene_after(scene(), time()): a function of scene and time
+//   (7) the wheel and what moves across keep the place that is pointed at under the mouse
+//   (8) where nothing shines the form of the scene is shown, and where light is nearly even, outlines beside it
 // Its functions are for the thread of the window.
 class Desk3 : public Desk {
  public:
@@ -76,6 +82,9 @@ class Desk3 : public Desk {
   Tone tone() const { return tone_; }
   double exposure() const { return exposure_; }
   bool is_smooth() const { return is_smooth_; }
+  bool has_outlines() const { return has_outlines_; }
+  // The place of the scene that is pointed at: of the surface there, else as far away as what is looked at.
+  Direction3 pointed_place(const Pixel& place) const;
 
   void save_picture(const std::filesystem::path& file) const override;
   void save_as(const std::filesystem::path& file) override;
@@ -94,6 +103,8 @@ class Desk3 : public Desk {
   void press(const WindowEvent& event);
   Drag drag_of(const WindowEvent& press);
   void move(const Pixel& before);
+  void wheel(const WindowEvent& event);
+  void key(const WindowEvent& event);
   void move_eye(double right, double down);
   void release(const WindowEvent& event);
   void touch();
@@ -147,10 +158,13 @@ class Desk3 : public Desk {
   void draw_base();
   void draw_lights(PictureCanvas& canvas) const;
   bool is_hidden(const Direction3& place) const;
-  void draw_problem(PictureCanvas& canvas) const;
+  void draw_problem(PictureCanvas& canvas);
   void draw_touched(PictureCanvas& canvas) const;
-  void draw_texts(PictureCanvas& canvas) const;
-  void draw_panels(PictureCanvas& canvas) const;
+  void draw_texts(PictureCanvas& canvas);
+  std::vector<SideText> side_texts() const;
+  void draw_legends(PictureCanvas& canvas, double bottom) const;
+  void choose_tone();
+  void add_outlines(const SeenPicture3& picture);
   std::string file_title() const;
   std::string head() const;
   std::string status() const;
@@ -176,6 +190,8 @@ class Desk3 : public Desk {
   Background looking_;
   Tone tone_ = Tone::kLog;
   double exposure_ = 1, split_ = 0.5;
+  bool has_tone_ = false;      // chosen for the first light, or by hand
+  bool has_outlines_ = false;  // the same
   bool is_smooth_ = true, shows_help_ = false, wants_quit_ = false;
 
   Pixel mouse_{}, pressed_{};
@@ -184,12 +200,16 @@ class Desk3 : public Desk {
   Drag drag_ = Drag::kNone;
   MouseButton button_ = MouseButton::kNone;  // that drags
   HeldKeys held_;                            // when it was pressed
+  Direction3 grabbed_{};                     // what is dragged by moving across
   std::optional<Prompt> prompt_;
   std::string message_, title_;
   std::optional<LiveElement3> hover_, picked_;
   std::optional<LightHold> hover_light_;  // then hover_ is nothing
 
   std::optional<Seen> light_, values_;  // values_: nothing where light alone is shown
+  ElementPaint3 paint_;                 // of the light that is shown
+  std::optional<LightLegend> legend_;   // what it means
+  Scrolls scrolls_;
   bool needs_base_ = true, needs_frame_ = true;
   Raster base_, frame_;
   Stopwatch since_watch_;

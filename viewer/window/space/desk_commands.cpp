@@ -50,8 +50,16 @@ bool Desk3::look_command(std::string_view name) {
     message_ = is_smooth_ ? "blended over flat surfaces" : "one value an element";
   } else if (name == "tone") {
     tone_ = next_of(kTones, tone_, 1);
+    has_tone_ = true;
   } else if (name == "darker" || name == "brighter") {
     exposure_ *= name == "brighter" ? kExposureStep : 1 / kExposureStep;
+    has_tone_ = true;
+  } else if (name == "outlines") {
+    has_outlines_ = !has_outlines_;
+    has_tone_ = true;
+    message_ = has_outlines_ ? "outlines of faces" : "no outlines";
+  } else if (name == "page up" || name == "page down") {
+    if (!scrolls_.turn(name == "page up" ? -1 : 1, mouse_)) message_ = "no text has more to show";
   } else if (name == "fit") {
     fit();
   } else if (name == "help") {

@@ -5,6 +5,7 @@
 #include "viewer/window/lights.h"
 #include "viewer/window/space/commands.h"
 #include "viewer/window/space/desk.h"
+#include "viewer/window/space/pointed_place.h"
 
 namespace hottel {
 namespace {
@@ -78,21 +79,18 @@ void Desk3::handle(const WindowEvent& event) {
       return press(event);
     case Kind::kRelease:
       return release(event);
-    case Kind::kWheel: {
-      EyeCamera3 camera = camera_;
-      camera.zoom(std::pow(kPerNotch, event.wheel));
-      return see(camera);
-    }
+    case Kind::kWheel:
+      return wheel(event);
     case Kind::kKey:
       if (prompt_) {
         drops_text_ = false;
         return answer_prompt(prompt_, event);
       }
-      if (const auto name = command_of_key(key_text(event), commands_3()); !name.empty()) command(name);
+      key(event);
       drops_text_ = prompt_ && event.key.size() == 1 && !event.held.ctrl && !event.held.alt;
       return;
     case Kind::kText:
-      if (!std::exchange(drops_text_, false) && prompt_ && prompt_->keys.empty()) prompt_->text += event.text;
+      if (!std::exchange(drops_text_, false) && prompt_ && prompt_->keys.empty()) type_into(*prompt_, event.text);
       return;
     case Kind::kFocus:
       until_watch_ = 0;
@@ -100,6 +98,27 @@ void Desk3::handle(const WindowEvent& event) {
     case Kind::kWake:
       return;
   }
+}
+
+Direction3 Desk3::pointed_place(const Pixel& place) const {
+  const Pointer3 from = camera_.pointer(place, size_);
+  const Direction3 way = from.way_to(from.at);
+  if (const std::optional<Direction3> surface = surface_at(place)) return *surface;
+  if (const std::optional<Direction3> first = first_place_on_way_3(*shown_, from.eye, way)) return *first;
+  return from.eye + (camera_.distance() / dot(way, from.forward)) * way;
+}
+
+// Scrolls a text, or goes nearer to what is under the mouse, which stays there.
+void Desk3::wheel(const WindowEvent& event) {
+  if (scrolls_.wheel(mouse_, event.wheel) || shows_help_) return;
+  EyeCamera3 camera = camera_;
+  camera.zoom_to(pointed_place(mouse_), std::pow(kPerNotch, event.wheel));
+  see(camera);
+}
+
+void Desk3::key(const WindowEvent& event) {
+  if (event.held == HeldKeys() && scrolls_.key(event.key, mouse_, shows_help_ ? "help" : "")) return;
+  if (const auto name = command_of_key(key_text(event), commands_3()); !name.empty()) command(name);
 }
 
 void Desk3::press(const WindowEvent& event) {
@@ -110,6 +129,7 @@ void Desk3::press(const WindowEvent& event) {
   has_moved_ = false;
   message_.clear();
   drag_ = drag_of(event);
+  if (drag_ == Drag::kPan) grabbed_ = pointed_place(pressed_);
 }
 
 // What the mouse does from there on.
@@ -148,8 +168,11 @@ void Desk3::move_eye(double right, double down) {
   } else if (drag_ == Drag::kTurn) {
     camera.turn(-right * degrees / 2, down * degrees / 2);
   } else {
-    const double length = camera_.length_of_pixel(size_);
-    camera.pan(-right * length, down * length);
+    // What was grabbed comes back under the mouse, wherever the eye has gone.
+    const std::optional<Pixel> now = camera_.at(grabbed_, size_);
+    if (!now) return;
+    const double length = camera_.length_of_pixel_at(grabbed_, size_);
+    camera.pan((now->x - mouse_.x) * length, (mouse_.y - now->y) * length);
   }
   see(camera);
 }

@@ -11,12 +11,15 @@
 #include "viewer/picture/colour_map.h"
 #include "viewer/picture/palette.h"
 #include "viewer/picture/space/seen_picture.h"
+#include "viewer/window/file_questions.h"
 #include "viewer/window/help.h"
 #include "viewer/window/lights.h"
 #include "viewer/window/panel.h"
 #include "viewer/window/space/commands.h"
 #include "viewer/window/space/desk.h"
+#include "viewer/window/space/first_light.h"
 #include "viewer/window/space/light_lines.h"
+#include "viewer/window/space/outlines.h"
 
 namespace hottel {
 namespace {
@@ -41,24 +44,37 @@ const SeenPicture3& Desk3::see(const std::shared_ptr<const LiveModel3>& model, c
   return kept->picture;
 }
 
+void Desk3::add_outlines(const SeenPicture3& picture) {
+  if (!has_outlines_ || !state().version) return;
+  const auto width = static_cast<std::uint32_t>(std::max(1.0, std::round(unit_)));
+  draw_outlines_3(base_, picture.parts(), look().version()->model().table(), width);
+}
+
 void Desk3::draw_seen() {
   live_.look_from(place_of(camera_.camera(size_).eye));
   const ShownLook3 look = this->look();
   const auto& model = look.version()->shared_model();
   if (look.values() != nullptr) {
     const bool is_quantity = request_.look == LookKind3::kRadiosity || request_.look == LookKind3::kIrradiance;
-    base_ = see(model, scale_paint_3(*look.values()), is_smooth_ && is_quantity, values_).raster(nullptr);
-    if (!is_split()) return;
+    const SeenPicture3& seen = see(model, scale_paint_3(*look.values()), is_smooth_ && is_quantity, values_);
+    base_ = seen.raster(nullptr);
+    if (!is_split()) return add_outlines(seen);
   } else {
     values_.reset();
   }
   // Toned by all elements there are, whatever is seen: so light stays the same while one walks.
-  const ElementPaint3 paint = look.light();
-  const ToneCurve tone(tone_, exposure_, paint.values, paint.channels);
-  Raster lit = see(model, paint, is_smooth_, light_).raster(&tone);
+  paint_ = look.light();
+  const ToneCurve tone(tone_, exposure_, paint_.values, paint_.channels);
+  legend_.emplace(tone, paint_.values, paint_.channels,
+                  look.version()->scene().has_bands ? "radiosity, solar [W/m²]" : "radiosity [W/m²]");
+  const bool is_form = legend_->is_dark();
+  const ToneCurve as_it_is(Tone::kLinear, 1, {}, 1);
+  const SeenPicture3& seen =
+      see(model, is_form ? form_of_3(look.version()->scene(), model->table()) : paint_, is_smooth_, light_);
+  Raster lit = seen.raster(is_form ? &as_it_is : &tone);
   if (!is_split()) {
     base_ = std::move(lit);
-    return;
+    return add_outlines(seen);
   }
   const auto left = static_cast<std::ptrdiff_t>(std::clamp(split_, 0.0, 1.0) * size_.width);
   for (std::size_t y = 0; y < size_.height; ++y)
@@ -110,20 +126,24 @@ void Desk3::draw_touched(PictureCanvas& canvas) const {
   for (const auto& hole : polygon.holes) draw_loop(hole);
 }
 
-void Desk3::draw_problem(PictureCanvas& canvas) const {
+void Desk3::draw_problem(PictureCanvas& canvas) {
   if (state().problem.empty()) return;
   canvas.fill_rectangle(Mark::kPaper, {0, 0}, {canvas.width(), canvas.height()}, kDimmed);
   draw_panel(canvas, {.lines = {"no light", state().problem}, .is_warning = true},
-             {.corner = {kGap * unit_, 52 * unit_}, .width = 0.45 * size_.width, .height = 0.7 * size_.height}, unit_);
+             {.corner = {kGap * unit_, 52 * unit_},
+              .width = side_width(canvas, 0.45, unit_),
+              .height = 0.7 * size_.height,
+              .scroll = &scrolls_.of("problem")},
+             unit_);
 }
 
-// The name of the file, with a star where it lacks an edit.
-std::string Desk3::file_title() const { return file_.path().filename().string() + (is_changed() ? " *" : ""); }
+std::string Desk3::file_title() const { return title_of(file_, is_changed()); }
 
 std::string Desk3::head() const {
   std::string text = file_title() + "   " + to_string(request_.look);
   const ShownLook3 look = this->look();
   if (look.values() == nullptr) text += fmt::format(", tone {} x {:.3g}", to_string(tone_), exposure_);
+  if (legend_ && legend_->is_dark() && look.values() == nullptr) text += "   nothing shines: the form alone";
   if (request_.look == LookKind3::kErrors) text += ": " + request_.method;
   if (time_) text += fmt::format("   {:.2f} s", to_double(*time_));
   const LiveState3& now = state();
@@ -145,58 +165,61 @@ std::string Desk3::status() const {
   if (const auto material = hover_->element().material) text += " of " + found_in.materials[*material].name;
   const ShownLook3 look = this->look();
   const std::string value = look.number(hover_);
-  return value.empty() ? text : text + "   " + look.name_of_number() + " " + value;
+  if (value.empty()) return text;
+  const bool is_light = look.values() == nullptr && look.name_of_number() == std::string_view("radiosity");
+  return text + "   " + look.name_of_number() + " " + value + (is_light ? " W/m²" : "");
 }
 
-void Desk3::draw_panels(PictureCanvas& canvas) const {
-  const double gap = kGap * unit_, width = size_.width, height = size_.height;
-  double top = 52 * unit_;
-  const auto panel = [&](std::vector<std::string> lines) {
-    if (lines.empty()) return;
-    top += gap + draw_panel(canvas, {.lines = std::move(lines)},
-                            {.corner = {width - gap, top},
-                             .is_right = true,
-                             .width = kPanelWidth * width,
-                             .height = std::max(height - top - 60 * unit_, 40 * unit_)},
-                            unit_);
-  };
-  if (const auto light = editor_.selected_light()) panel(light_lines_3(*scene(), *light));
+// What is known of what is picked and looked at.
+std::vector<SideText> Desk3::side_texts() const {
+  std::vector<SideText> texts;
   const ShownLook3 look = this->look();
-  if (request_.face && look.version()) panel(face_lines_3(*look.version(), *request_.face, picked_));
-  if (look.result()) panel(look.result()->lines);
-  if (look.values() == nullptr) return;
-  // The scale, on paper.
-  const double bar = std::min(420 * unit_, width - 4 * gap), low = height - 130 * unit_;
-  canvas.fill_rectangle(Mark::kPaper, {gap, low}, {gap + 1.15 * bar, low + 76 * unit_}, kBar);
-  draw_legend(canvas, look.values()->scale, look.values()->title, {2 * gap, low + 6 * unit_}, bar, unit_);
+  if (const auto light = editor_.selected_light()) texts.push_back({"light", light_lines_3(*scene(), *light)});
+  if (request_.face && look.version())
+    texts.push_back({"face", face_lines_3(*look.version(), *request_.face, picked_)});
+  if (look.result()) texts.push_back({std::string("look ") + to_string(request_.look), look.result()->lines});
+  return texts;
 }
 
-void Desk3::draw_texts(PictureCanvas& canvas) const {
-  const double gap = kGap * unit_, width = size_.width, height = size_.height;
-  if (is_split()) canvas.stroke(Mark::kLegend, {split_ * width, 0}, {split_ * width, height}, kBar, 3 * unit_);
-  draw_panel(canvas, {.lines = {head()}}, {.corner = {gap, gap}, .width = 0.7 * width}, unit_);
-  draw_panel(canvas, {.lines = {"h  help"}, .is_head_bold = false},
-             {.corner = {width - gap, gap}, .is_right = true, .width = 200 * unit_}, unit_);
-  draw_panels(canvas);
+// What colours and light mean, with the value under the mouse.
+void Desk3::draw_legends(PictureCanvas& canvas, double bottom) const {
+  const ShownLook3 look = this->look();
+  if (!look.version()) return;
+  const bool is_pointed = hover_ && drag_ == Drag::kNone;
+  constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+  const std::uint32_t at = is_pointed ? hover_->number_in(look.version()->model()).value_or(kNone) : kNone;
+  if (look.values() != nullptr)
+    return draw_legend_on_paper(canvas, look.values()->scale, look.values()->title,
+                                {.marked = at != kNone ? look.values()->elements[at] : std::nullopt}, bottom, unit_);
+  if (!legend_ || !state().is_lit() || !state().problem.empty()) return;
+  const bool has_value = at != kNone && (at + std::size_t{1}) * paint_.channels <= paint_.values.size();
+  legend_->draw(canvas, has_value ? std::optional(brightness_of(paint_.value(at))) : std::nullopt, bottom, unit_);
+}
+
+void Desk3::draw_texts(PictureCanvas& canvas) {
+  const double x = split_ * size_.width;
+  if (is_split()) canvas.stroke(Mark::kLegend, {x, 0}, {x, canvas.height()}, kBar, 3 * unit_);
   std::string line = message_;
   if (const std::string now = status(); !now.empty()) line += (line.empty() ? "" : "   ") + now;
-  if (line.empty()) return;
-  draw_panel(canvas, {.lines = {line}, .is_head_bold = false},
-             {.corner = {gap, height - gap}, .is_bottom = true, .width = 0.8 * width}, unit_);
+  const TextRoom room = draw_head_and_line(canvas, head(), line, scrolls_, unit_);
+  draw_legends(canvas, room.bottom);
+  draw_side_texts(canvas, side_texts(), kPanelWidth, room, scrolls_, unit_);
 }
 
 void Desk3::draw() {
   if (needs_base_ || base_.width != size_.width || base_.height != size_.height) draw_base();
   frame_ = base_;
   CairoCanvas canvas(frame_);
+  scrolls_.begin_frame();
   draw_touched(canvas);
   draw_lights(canvas);
   draw_problem(canvas);
   if (shows_help_)
-    draw_help(canvas, commands_3(), gestures_3(), unit_);
+    draw_help(canvas, commands_3(), gestures_3(), scrolls_.of("help"), unit_);
   else
     draw_texts(canvas);
-  if (prompt_) draw_prompt(canvas, *prompt_, unit_);
+  if (prompt_) draw_prompt(canvas, *prompt_, scrolls_.of("prompt"), unit_);
+  scrolls_.end_frame();
   canvas.finish();
   std::string title = file_title() + " - hottel";
   if (title != title_) window_.set_title(title);

@@ -1,4 +1,4 @@
-// What a scene in space looks like before its view factors are known.
+// What a scene in space looks like before its light is known, and where it has none.
 #pragma once
 
 #include "geometry/space/prepared/element_table.h"
@@ -10,5 +10,9 @@ namespace hottel {
 // The light before there are factors: every face receives the mean of what a closed room of these materials holds, a
 // little more from above, so that faces are told apart. [unit: that of emissions]
 ElementPaint3 light_before_factors_3(const Scene3& scene, const ElementTable3& table);
+
+// What a scene in which nothing shines is shown in, which is no light: each face as bright as its material and its
+// slope make it, in [0, 1]; the sky pale.
+ElementPaint3 form_of_3(const Scene3& scene, const ElementTable3& table);
 
 }  // namespace hottel

@@ -427,6 +427,62 @@ TEST(Desk2, PansAndZooms) {
   EXPECT_EQ(hand.changes(), "");
 }
 
+// The place under the mouse stays there, whatever is looked at, at each scale, beside the panel of a look too.
+TEST(Desk2, ZoomsAndPansWhatIsPointedAtInEveryLook) {
+  TemporaryFolder folder;
+  std::ofstream(folder / "room.json") << write_scene_2(small_room());
+  for (const double scale : {1.0, 1.5, 2.0}) {
+    RecordingWindow window({640, 400});
+    Desk2 desk(folder / "room.json", window, SimulationRequest2{}, scale);
+    desk.settle(Hand::kPatience);
+    const auto place_at = [&] { return desk.pixel_of({0.6, 1.3}); };
+    for (int look = 0; look < kLooks2; ++look) {
+      SCOPED_TRACE(std::to_string(scale) + " " + to_string(static_cast<Look2>(look)));
+      desk.command("fit");
+      desk.command(std::string("look ") + to_string(static_cast<Look2>(look)));
+      desk.update();
+      const Pixel at = place_at();
+      for (const double notches : {3.0, -5.0, 0.4}) {
+        desk.handle({.kind = EventKind::kWheel, .x = at.x, .y = at.y, .wheel = notches});
+        desk.update();
+        EXPECT_NEAR(place_at().x, at.x, 1e-6);
+        EXPECT_NEAR(place_at().y, at.y, 1e-6);
+      }
+      for (const auto& [kind, dx] : {std::pair(EventKind::kPress, 0), {EventKind::kMove, 9}, {EventKind::kMove, 31}})
+        desk.handle({.kind = kind, .x = at.x + dx, .y = at.y - dx, .button = MouseButton::kRight});
+      EXPECT_NEAR(place_at().x, at.x + 31, 1e-6);
+      EXPECT_NEAR(place_at().y, at.y - 31, 1e-6);
+      desk.handle({.kind = EventKind::kRelease, .x = at.x + 31, .y = at.y - 31, .button = MouseButton::kRight});
+    }
+  }
+}
+
+// A text that is longer than its room: the wheel over it scrolls it and does not zoom, and keys turn its pages.
+TEST(Desk2, ScrollsALongText) {
+  Hand hand;
+  hand.play("size 640x400\ndo look plan\ndo fit\nmove @600,80");
+  const std::string before = hand.signature();
+  const Raster first = hand.desk->frame();
+  hand.play("wheel @600,80 -2");
+  EXPECT_EQ(hand.signature(), before) << "the view stays";
+  EXPECT_NE(hand.desk->frame().pixels, first.pixels);
+  hand.play("key home");
+  EXPECT_EQ(hand.desk->frame().pixels, first.pixels);
+  hand.play("key pagedown\nkey pageup");
+  EXPECT_EQ(hand.desk->frame().pixels, first.pixels);
+  hand.play("move 1,1\nkey pagedown");
+  EXPECT_EQ(hand.desk->message(), "") << "also with the mouse elsewhere";
+  hand.play("do look light\nkey pagedown");
+  EXPECT_EQ(hand.desk->message(), "no text has more to show");
+  hand.play("click 2.5,1\nkey f1");
+  const Raster help = hand.desk->frame();
+  hand.play("key down");
+  EXPECT_NE(hand.desk->frame().pixels, help.pixels);
+  EXPECT_EQ(hand.changes(), "") << "arrows scroll the help, and nudge nothing beneath it";
+  hand.play("key end\nkey home\nwheel @10,10 -1\nwheel @10,10 1");
+  EXPECT_EQ(hand.desk->frame().pixels, help.pixels);
+}
+
 TEST(Desk2, FollowsTheSizeOfTheWindow) {
   Hand hand;
   hand.play("size 500x400");
@@ -756,6 +812,18 @@ TEST(Desk2, SavesUnderAnotherName) {
   EXPECT_EQ(difference(read_scene_2(hand.file()), small_room()), "");
 }
 
+TEST(Desk2, WhatIsTypedReplacesTheShownName) {
+  Hand hand;
+  const fs::path other = hand.path("other.json");
+  hand.play("key ctrl+shift+s\ntype " + other.string() + "\nkey enter");
+  EXPECT_FALSE(hand.desk->prompt());
+  EXPECT_EQ(difference(read_scene_2(other), hand.scene()), "");
+  hand.play("key ctrl+shift+s\nkey end\nkey left\nkey left\nkey left\nkey left\nkey left\ntype _2\nkey enter");
+  EXPECT_TRUE(fs::exists(hand.path("other_2.json"))) << hand.desk->message();
+  hand.play("key ctrl+shift+s\nkey tab\nkey escape");
+  EXPECT_EQ(hand.desk->message(), "") << "tab sets no light moving";
+}
+
 TEST(Desk2, LosesNothingWhereTheFileCannotBeWritten) {
   Hand hand;
   hand.play("click 2.5,1\nkey right");
@@ -823,6 +891,46 @@ TEST(Desk2, KeepsWhatIsThereWhenTheOfferIsRefused) {
   EXPECT_NE(hand.changes(), "");
 }
 
+TEST(Desk2, TellsThatTheFileIsGoneAndReadsItWhenItIsBack) {
+  Hand hand;
+  fs::rename(hand.file(), hand.path("elsewhere.json"));
+  look_again(hand);
+  EXPECT_THAT(hand.desk->message(), StartsWith("room.json is gone, or cannot be read"));
+  EXPECT_THAT(hand.window.title(), HasSubstr("(gone)"));
+  EXPECT_EQ(hand.changes(), "");
+  hand.play("close");
+  EXPECT_THAT(hand.question(), StartsWith("the file is gone"));
+  hand.play("key escape");
+  EXPECT_FALSE(hand.desk->wants_quit());
+  const Scene2 other = erase_surfaces(small_room(), std::vector<std::uint32_t>{7, 8, 9, 10});
+  std::ofstream(hand.file()) << write_scene_2(other);
+  look_again(hand);
+  EXPECT_EQ(difference(hand.scene(), other), "");
+  EXPECT_EQ(hand.desk->message(), "read again");
+  EXPECT_THAT(hand.window.title(), testing::Not(HasSubstr("gone")));
+}
+
+TEST(Desk2, AsksWhereAFileIsBackAndThereAreUnsavedChanges) {
+  Hand hand;
+  hand.play("click 2.5,1\nkey right");
+  const Scene2 edited = hand.scene();
+  fs::remove(hand.file());
+  look_again(hand);
+  EXPECT_EQ(difference(hand.scene(), edited), "");
+  std::ofstream(hand.file()) << write_scene_2(small_room());
+  look_again(hand);
+  EXPECT_THAT(hand.question(), StartsWith("room.json is there again"));
+  EXPECT_THAT(hand.question(), HasSubstr("your changes are lost"));
+  EXPECT_EQ(difference(hand.scene(), edited), "");
+  hand.play("key escape");
+  fs::remove(hand.file());
+  look_again(hand);
+  hand.play("key ctrl+s");  // what is here is the file again
+  look_again(hand);
+  EXPECT_FALSE(hand.desk->prompt());
+  EXPECT_EQ(difference(read_scene_2(hand.file()), edited), "");
+}
+
 TEST(Desk2, ReadsAgainInTheMiddleOfADrag) {
   Hand hand;
   const Scene2 other = erase_surfaces(small_room(), std::vector<std::uint32_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
@@ -848,6 +956,38 @@ TEST(Desk2, WritesPicturesOfWhatIsSeen) {
   hand.play("screenshot " + hand.path("frame.png").string());
   EXPECT_NE(read_text_file(hand.path("frame.png")), read_text_file(png));  // the frame has texts
   EXPECT_FALSE(fs::exists(hand.path("seen.gif")));
+}
+
+// The first look.
+
+Scene2 room_without_light() {
+  Scene2 scene = small_room();
+  for (Material& material : scene.materials) material.emission = Spectrum::scalar(0);
+  return scene;
+}
+
+TEST(Desk2, ShowsThePlanWhereNothingShines) {
+  Hand hand(room_without_light());
+  hand.play("leave");
+  const std::vector<std::uint32_t>& pixels = hand.desk->frame().pixels;
+  EXPECT_EQ(std::ranges::count(pixels, 0xFF000000u), 0) << "nothing is black";
+  EXPECT_GT(std::ranges::count(pixels, pixels[300 * 800 + 200]), 10000) << "the floor of the room";
+}
+
+TEST(Desk2, ChoosesAToneForTheFirstLightAlone) {
+  Scene2 furnace = small_room();
+  for (Material& material : furnace.materials) {
+    material.reflectivity = Spectrum::scalar(Rational(1, 2));
+    material.emission = Spectrum::scalar(1);
+  }
+  Hand even(furnace);
+  EXPECT_EQ(even.desk->looks().tone(), (ToneChoice{Tone::kMax, 0.7}));
+  even.play("key t\nkey f4");
+  EXPECT_EQ(even.desk->looks().tone(), (ToneChoice{Tone::kLog, 0.7 * 1.2}));
+  Hand hand;
+  EXPECT_EQ(hand.desk->looks().tone(), ToneChoice());
+  hand.play("key f3\nmove 2.5,0.98\nkey f6");
+  EXPECT_EQ(hand.desk->looks().tone(), (ToneChoice{Tone::kLog, 1 / 1.2}));
 }
 
 // Scripts.

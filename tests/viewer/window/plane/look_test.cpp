@@ -322,7 +322,7 @@ Frame2 frame_of(const Scene2& scene) {
 }
 
 RecordingCanvas drawn(const LiveState2& state, const LookRequest2& request, const LookResult2* result = nullptr,
-                      LightTone2 tone = {}) {
+                      ToneChoice tone = {}) {
   RecordingCanvas canvas(kSize.width, kSize.height);
   draw_look(canvas, frame_of(*state.scene), kUnit,
             {.state = &state, .request = &request, .result = result, .tone = tone});
@@ -468,7 +468,7 @@ TEST(DrawLook2, LightLiesBeneathThePlan) {
   const auto state = std::make_shared<const LiveState2>(room());
   const LightTexture2 texture{state, {}, 3, light_texture_2(*state, {}, 3)};
   const LookRequest2 request;
-  const auto image = [&](const LiveState2& drawn, const LightTone2& tone) {
+  const auto image = [&](const LiveState2& drawn, const ToneChoice& tone) {
     RecordingCanvas given(kSize.width, kSize.height);
     draw_look(given, frame_of(*drawn.scene), kUnit,
               {.state = &drawn, .request = &request, .tone = tone, .texture = &texture});

@@ -92,7 +92,7 @@ TEST(EyeCamera3, KeepsWhatItsMovesKeep) {
   EXPECT_LT(length(cross(target(camera) - eye(camera), way)), 1e-6);
 }
 
-// (3)
+// (4)
 TEST(EyeCamera3, ComesBack) {
   EyeCamera3 camera = some();
   camera.orbit(30, 0);
@@ -142,6 +142,41 @@ TEST(EyeCamera3, SeesPlacesWhereTheyAre) {
   EXPECT_NEAR(line->first.x + line->second.x, 800, 1e-9);
   EXPECT_TRUE(camera.line({1, 0, 0}, {1, -9, 0}, kFrame));
   EXPECT_FALSE(camera.line({1, -7, 0}, {1, -9, 0}, kFrame));
+}
+
+TEST(EyeCamera3, GoesNearerToAPlaceThatStaysWhereItIsSeen) {
+  const Direction3 place{0.5, 2, 1.5};
+  for (const double factor : {1.3, 0.4, 1e3, 1e9, 1e-9}) {
+    EyeCamera3 camera = some();
+    const Pixel before = camera.at(place, kFrame).value();
+    const double far = length(place - eye(camera));
+    camera.zoom_to(place, factor);
+    const Pixel after = camera.at(place, kFrame).value();
+    EXPECT_NEAR(after.x, before.x, 1e-3) << factor;
+    EXPECT_NEAR(after.y, before.y, 1e-3) << factor;
+    if (factor < 1e4 && factor > 1e-2) {
+      EXPECT_NEAR(length(place - eye(camera)), far / factor, 1e-7) << factor;
+    }
+    ASSERT_EQ(camera_problem(camera.camera(kFrame)), "") << factor;
+  }
+}
+
+// (3)
+TEST(EyeCamera3, ANarrowFrameShowsAllThatTheCameraShows) {
+  const EyeCamera3 camera = some();  // of 800 x 600
+  const Direction3 way = target(camera) - eye(camera), right = unit(cross(way, {0, 0, 1}));
+  const double half = std::tan(20 * std::acos(-1) / 180) * length(way);
+  const Direction3 border = target(camera) + (half * 4 / 3) * right;
+  for (const FrameSize frame : {FrameSize{800, 600}, {400, 600}, {640, 400}, {300, 900}}) {
+    const Pixel seen = camera.at(border, frame).value();
+    EXPECT_LE(seen.x, frame.width + 1e-6);
+    const Camera3 exact = camera.camera(frame);
+    EXPECT_EQ(camera_problem(exact), "");
+    EXPECT_EQ(exact.field_of_view == 40, frame.width * 3 >= frame.height * 4);
+    EXPECT_NEAR(std::tan(to_double(exact.field_of_view) / 360 * std::acos(-1)) * length(way),
+                camera.length_of_pixel(frame) * frame.height / 2, 1e-9);
+  }
+  EXPECT_NEAR(camera.at(border, {400, 600}).value().x, 400, 1e-6);
 }
 
 }  // namespace

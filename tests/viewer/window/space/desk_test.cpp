@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -40,7 +42,7 @@ TEST(Commands3, HaveUniqueKeysAndOneHelpEach) {
 }
 
 // A polygon is picked and under the mouse, and was changed and undone: so every command has something to do.
-constexpr const char* kReady = "move 1,2,1.5\npick rear\nkey ]\nkey '\nkey ctrl+z\nkey h\nkey h";
+constexpr const char* kReady = "move 0,1.5,0.6\npick rear\nkey ]\nkey '\nkey ctrl+z\nkey h\nkey h";
 
 TEST(Desk3, DoesEachCommandByKeyAndByNameAlike) {
   Hand by_name, by_key;
@@ -54,7 +56,7 @@ TEST(Desk3, DoesEachCommandByKeyAndByNameAlike) {
     by_key.play("key " + std::string(command.key));
     EXPECT_EQ(by_name.signature(), by_key.signature());
     // These show nothing that is not there.
-    const std::set<std::string_view> quiet{"look light", "fit", "again", "help"};
+    const std::set<std::string_view> quiet{"look light", "fit", "again", "help", "page up", "page down"};
     EXPECT_EQ(by_name.signature() == before, quiet.contains(command.name));
   }
 }
@@ -82,6 +84,76 @@ TEST(Desk3, SaysWhyACommandDoesNothing) {
   EXPECT_EQ(hand.desk->message(), "it goes no further");
 }
 
+// Pointing.
+
+double apart(const Pixel& a, const Pixel& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+// (7), in every look and at each scale, of surfaces and of what is seen beside them.
+TEST(Desk3, ZoomsAndPansWhatIsPointedAtInEveryLook) {
+  for (const double scale : {1.0, 1.5, 2.0}) {
+    TemporaryFolder folder;
+    std::ofstream(folder / "room.json") << kRoom;
+    RecordingWindow window({640, 400});
+    Desk3 desk({folder / "room.json", [file = folder / "room.json"] { return read_scene_3(file); }}, window,
+               FactorsRequest3{}, scale);
+    desk.settle(Hand::kPatience);
+    play_script(parse_script("pick floor", "hand.txt"), "hand.txt", desk, window, {.print = {}});
+    for (int look = 0; look < kLooks3; ++look)
+      for (const Pixel& mouse : {Pixel{250, 250}, {330, 120}, {30, 320}}) {
+        SCOPED_TRACE(std::to_string(scale) + " " + to_string(static_cast<LookKind3>(look)));
+        desk.command("fit");
+        desk.command(std::string("look ") + to_string(static_cast<LookKind3>(look)));
+        const auto looked_at = static_cast<LookKind3>(look);
+        if (looked_at == LookKind3::kSweeps || (looked_at == LookKind3::kErrors && scale > 1))
+          desk.update();  // these take seconds
+        else
+          desk.settle(Hand::kPatience);
+        const Direction3 place = desk.pointed_place(mouse);
+        const auto place_at = [&] { return desk.camera().at(place, {640, 400}).value(); };
+        EXPECT_LT(apart(place_at(), mouse), 1e-6);
+        const auto send = [&](WindowEvent::Kind kind, double dx, double notches) {
+          desk.handle(
+              {.kind = kind, .x = mouse.x + dx, .y = mouse.y - dx, .button = MouseButton::kRight, .wheel = notches});
+          desk.update();
+        };
+        for (const double notches : {2.0, -1.0, 0.5}) {
+          send(WindowEvent::Kind::kWheel, 0, notches);
+          EXPECT_LT(apart(place_at(), mouse), 1e-3) << notches;
+        }
+        send(WindowEvent::Kind::kPress, 0, 0);
+        for (const double dx : {9.0, 14.0, 20.0}) {
+          send(WindowEvent::Kind::kMove, dx, 0);
+          EXPECT_LT(apart(place_at(), {mouse.x + dx, mouse.y - dx}), 1e-3);
+        }
+        send(WindowEvent::Kind::kRelease, 20, 0);
+      }
+  }
+}
+
+TEST(Desk3, PointsAtTheSurfaceThatIsSeenThere) {
+  Hand hand;
+  const Direction3 rear = hand.desk->pointed_place(hand.desk->pixel_of_place(std::array{1.2, 2.0, 1.5}));
+  EXPECT_LT(length(rear - Direction3{1.2, 2, 1.5}), 1e-6);
+  const Direction3 top = hand.desk->pointed_place(hand.desk->pixel_of_place(std::array{1.2, 1.4, 0.4}));
+  EXPECT_LT(length(top - Direction3{1.2, 1.4, 0.4}), 1e-6) << "the box before the wall";
+}
+
+TEST(Desk3, ScrollsALongText) {
+  Hand hand;
+  hand.play("size 640x400\ndo look factors\npick floor\nmove @600,300");
+  const std::string before = hand.signature();
+  const Raster first = hand.desk->frame();
+  hand.play("wheel @600,300 -2");
+  EXPECT_EQ(hand.signature(), before) << "the eye stays";
+  EXPECT_NE(hand.desk->frame().pixels, first.pixels);
+  hand.play("key home\nkey pagedown\nkey pageup");
+  EXPECT_EQ(hand.signature(), before) << "over a long text these keys are its own";
+  hand.play("move @100,200\nkey shift+pagedown\nkey shift+pageup");
+  EXPECT_EQ(hand.signature(), before);
+  hand.play("key pageup");
+  EXPECT_NE(hand.signature(), before) << "elsewhere they are of the eye";
+}
+
 // What is shown.
 
 // (1) and (2): the frame is the picture of the camera, with the light of a new simulation.
@@ -99,7 +171,7 @@ TEST(Desk3, ShowsTheLightOfTheSceneAtRest) {
       SeenPicture3({model.prepared, model.table(), paint, &model.mesh}, hand.desk->camera().camera({400, 300}))
           .raster(&tone);
   int same = 0, all = 0;
-  for (std::uint32_t y = 100; y < 300; ++y)  // below the texts
+  for (const std::uint32_t y : {100u, 120u, 140u, 160u, 250u, 270u, 290u})  // beside the texts and the legend
     for (std::uint32_t x = 0; x < 400; ++x, ++all)
       same += raster.pixels[y * 400 + x] == hand.desk->frame().pixels[y * 400 + x];
   EXPECT_EQ(same, all);
@@ -311,6 +383,65 @@ TEST(Desk3, SaysWhyThereIsNoLight) {
   EXPECT_NE(hand.play("hash"), "factors.csv - radiosity.csv -\n");
   hand.play("material n reflectivity 0.25");
   EXPECT_THAT(hand.desk->state().problem, HasSubstr("different materials"));
+}
+
+// The file.
+
+TEST(Desk3, TellsThatTheFileIsGoneAndReadsItWhenItIsBack) {
+  Hand hand;
+  const auto look_again = [&] {
+    hand.desk->handle({.kind = WindowEvent::Kind::kFocus});
+    hand.desk->settle(Hand::kPatience);
+  };
+  fs::rename(hand.file(), hand.path("elsewhere.json"));
+  look_again();
+  EXPECT_THAT(hand.desk->message(), StartsWith("room.json is gone, or cannot be read"));
+  EXPECT_THAT(hand.window.title(), HasSubstr("(gone)"));
+  fs::rename(hand.path("elsewhere.json"), hand.file());
+  look_again();
+  EXPECT_EQ(hand.desk->message(), "read again");
+  hand.play("pick floor\nkey f6");
+  const std::string edited = write_scene_3(*hand.desk->scene());
+  fs::remove(hand.file());
+  look_again();
+  std::ofstream(hand.file()) << kRoom;
+  look_again();
+  ASSERT_TRUE(hand.desk->prompt());
+  EXPECT_THAT(hand.desk->prompt()->question, StartsWith("room.json is there again"));
+  EXPECT_EQ(write_scene_3(*hand.desk->scene()), edited);
+  hand.play("key r");
+  EXPECT_EQ(write_scene_3(*hand.desk->scene()), write_scene_3(parse_scene_3(kRoom, "room")));
+}
+
+// The first look.
+
+std::string room_with(const std::string& lamp) {
+  std::string text = kRoom;
+  const std::string emits = R"("emission": 4)";
+  return text.replace(text.find(emits), emits.size(), R"("emission": )" + lamp);
+}
+
+// (8)
+TEST(Desk3, ShowsTheFormWhereNothingShines) {
+  Hand hand(room_with("0"));
+  hand.play("leave");
+  EXPECT_TRUE(hand.desk->has_outlines());
+  std::set<std::uint32_t> colours(hand.desk->frame().pixels.begin(), hand.desk->frame().pixels.end());
+  EXPECT_GT(colours.size(), 20u);
+  EXPECT_LT(std::ranges::count(hand.desk->frame().pixels, 0xFF000000u), 200) << "next to nothing is black";
+  hand.play("pick lamp\nkey f8");
+  EXPECT_TRUE(hand.material("lamp").emission.value[0] > 0) << "what is lit then is light";
+  EXPECT_FALSE(hand.desk->has_outlines());
+}
+
+TEST(Desk3, ALampIsSeenThroughTheLogarithm) {
+  Hand hand;
+  EXPECT_EQ(hand.desk->tone(), Tone::kLog);
+  EXPECT_EQ(hand.desk->exposure(), 1);
+  EXPECT_FALSE(hand.desk->has_outlines());
+  hand.play("key f4\nkey x");
+  EXPECT_EQ(hand.desk->exposure(), 1.2);
+  EXPECT_TRUE(hand.desk->has_outlines());
 }
 
 }  // namespace
