@@ -345,9 +345,10 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
           "their sum")
       ->check(CLI::IsMember({"r", "g", "b", "solar", "thermal"}));
   command
-      .add_option("--bar", options.bar,
-                  "of all but light: the ends of the colour bar, each the least or largest value where it is left out; "
-                  "`log`: logarithmic")
+      .add_option(
+          "--bar", options.bar,
+          "of all but light: the ends of the colour bar, each fitted to the values where it is left out, as both "
+          "are without; `log`: logarithmic")
       ->type_name("LOW:HIGH[:log]");
   command
       .add_option(
