@@ -12,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "geometry/face.h"
 #include "geometry/grey_temperature.h"
 #include "geometry/near_names.h"
 #include "geometry/scene_names.h"
@@ -80,11 +81,8 @@ std::string words_of(bool (*fits)(const QuantityRow&), const std::string& before
 std::vector<bool> targets_of(const SceneTable& scene, const std::string& toward) {
   if (toward == "sky") return {};
   std::vector<bool> targets(2 * scene.surfaces.size(), false);
-  if (toward.ends_with(":back")) {
-    targets[face_of(scene, toward).number()] = true;
-  } else {
-    for (const std::uint32_t s : surfaces_matching(scene, toward)) targets[Face{s, false}.number()] = true;
-  }
+  const SideName side = side_named(toward);
+  for (const std::uint32_t s : surfaces_matching(scene, side.name)) targets[Face{s, side.is_back}.number()] = true;
   return targets;
 }
 
@@ -176,7 +174,8 @@ std::string unit_of(const Shown& shown, const std::string& unit_of_radiosities) 
 
 std::string words_to_show() {
   return words_of([](const QuantityRow& row) { return row.quantity != Quantity::kLight; }, ", ") +
-         " (view factor to it), factor:NAME (view factor to a face, a group, or NAME*)";
+         " (view factor to it), factor:NAME (view factor to a face, a group, or all that a pattern like 'win*' or "
+         "'w[1-3]' describes)";
 }
 
 std::string words_to_show_at_points() {

@@ -34,8 +34,8 @@ struct Shown {
 // UnknownName for other words.
 Shown shown_by(const std::string& word);
 
-// The words that shown_by takes: "radiosity, irradiance, ..., factor:NAME (view factor to a face, a group, or NAME*)",
-// without the light; and those of them that a grid can show.
+// The words that shown_by takes: "radiosity, irradiance, ..., factor:NAME (view factor to a face, ...)", without the
+// light; and those of them that a grid can show.
 std::string words_to_show();
 std::string words_to_show_at_points();
 
@@ -74,7 +74,7 @@ struct ShownValues {
 //       a given net flux that which solve writes (ElementTemperatures). Faces whose material has no temperature have no
 //       value
 //   (3) a factor is the double of factors.csv from the element to the sky, to the face NAME or NAME:back, or the sum of
-//       those to the fronts of a group, or of all whose names begin with NAME*
+//       those to the fronts (with ":back" the backs) of all that surfaces_matching() finds: of a group, or by a pattern
 //   (4) the colours of a net flux part at 0: faces that gain and faces that lose are told apart at sight
 //   (5) the scale is that of fitted_scale(), by the areas of elements: the same whatever a camera sees. Net fluxes
 //       below 1e-9 of the largest radiosity are 0 to it
