@@ -97,6 +97,9 @@ TEST(ShownValues, FactorsGoToTheSkyAFaceOrAGroup) {
   EXPECT_EQ(high.elements[2], 0);
   EXPECT_EQ(solved.shown(shown_by("factor:plates")).elements[0], high.elements[0]);
   EXPECT_EQ(solved.shown(shown_by("factor:hi*")).elements[0], high.elements[0]);
+  EXPECT_EQ(solved.shown(shown_by("factor:?ig[h]")).elements[0], high.elements[0]);
+  EXPECT_EQ(solved.shown(shown_by("factor:*ig*:back")).elements[0], 0);
+  EXPECT_THROW(solved.shown(shown_by("factor:?gih")), UnknownName);
   EXPECT_EQ(solved.shown(shown_by("factor:high:back")).elements[0], 0);
   EXPECT_THROW(solved.shown(shown_by("factor:hihg")), UnknownName);
   EXPECT_THROW(solved.shown(shown_by("factor:hihg:back")), UnknownName);
