@@ -302,7 +302,7 @@ void add_factors(Commands& commands) {
   command
       .add_option("--rows", options->rows,
                   "list these rows alone, and compute no others where that saves work: fronts (no backs), or a face, a "
-                  "polyline, a group, or all whose names begin with NAME*")
+                  "polyline, a group, or all that a pattern like 'win*' describes")
       ->type_name("fronts|NAME");
   command
       .add_option("--digits", options->digits,
@@ -318,7 +318,9 @@ void add_factors(Commands& commands) {
       .add_option("--picture", options->picture,
                   "draw the scene (.png, .svg, .pdf), faces coloured by their factor to --toward")
       ->type_name("FILE");
-  command.add_option("--toward", options->toward, "a face, a polyline, all whose names begin with NAME*, or sky")
+  command
+      .add_option("--toward", options->toward,
+                  "a face, a polyline, all that a pattern like 'win*' or 'w[1-3]' describes, or sky")
       ->type_name("NAME");
   command.add_flag("--json", options->json, "a report on standard output as one JSON object (factors then need -o)");
 }

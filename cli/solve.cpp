@@ -230,6 +230,8 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
   options.guarantee.refuse_in_plane();
   options.sky.refuse_in_plane();
   require_shown(request.shown, scene);
+  if (options.outlines || options.no_outlines)
+    throw UsageError("--outlines and --no-outlines are for scenes in space: in the plane walls are lines");
   if (request.shown.is_light() && options.shading != "flat")
     throw UsageError("--shading in the plane is of the values of --show: light between the faces has no elements");
   if (!request.shown.is_light() && options.size > 0 && options.size < kMinPictureWidth)
@@ -321,8 +323,15 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
                   "in the plane: lines of equal light in the picture, about N of them at most, at round levels")
       ->type_name("N")
       ->transform(whole_number(1, 100));
-  command.add_flag("--axes", options.axes,
-                   "in the plane: coordinates along the frame of the picture, and a scale bar in the scene's unit");
+  command.add_flag(
+      "--axes", options.axes,
+      "coordinates along the frame of the picture, and a scale bar in the scene's unit; in space so around the "
+      "grid, and below what the camera sees the axes and how far the scene reaches along each");
+  CLI::Option* outlines = command.add_flag(
+      "--outlines", options.outlines,
+      "in space: lines where surfaces end, bend or hide others, hidden ones left out; of --show light too");
+  command.add_flag("--no-outlines", options.no_outlines, "in space: no such lines, which --show has of all but light")
+      ->excludes(outlines);
   CLI::Option* size =
       command.add_option("--size", options.size, "pixels of the picture across, rounded to whole pixels a cell");
   size->type_name("W")->check(CLI::Range(1u, kMaxPictureSide));
@@ -345,9 +354,10 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
           "their sum")
       ->check(CLI::IsMember({"r", "g", "b", "solar", "thermal"}));
   command
-      .add_option("--bar", options.bar,
-                  "of all but light: the ends of the colour bar, each the least or largest value where it is left out; "
-                  "`log`: logarithmic")
+      .add_option(
+          "--bar", options.bar,
+          "of all but light: the ends of the colour bar, each fitted to the values where it is left out, as both "
+          "are without; `log`: logarithmic")
       ->type_name("LOW:HIGH[:log]");
   command
       .add_option(
@@ -362,7 +372,7 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
                   "the picture as this file too: .png, .svg or .pdf (in space polygons, sharp at any size)")
       ->type_name("FILE");
   for (const char* of_picture : {"--size", "--tone", "--exposure", "--contours", "--axes", "--show", "--channel",
-                                 "--bar", "--shading", "--render"})
+                                 "--bar", "--shading", "--render", "--outlines", "--no-outlines"})
     no_picture->excludes(command.get_option(of_picture));
   for (const char* of_light : {"--tone", "--exposure", "--contours"})
     no_illumination->excludes(command.get_option(of_light));

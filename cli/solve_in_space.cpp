@@ -47,7 +47,16 @@ void require_what_space_has(const SolveOptions& options) {
   if (options.illumination != usual.illumination) refuse("--illumination");
   if (options.views != usual.views) refuse("--views");
   if (options.contours > 0) refuse("--contours");
-  if (options.axes) refuse("--axes");
+  if (options.no_outlines && options.show == usual.show)
+    throw UsageError("--no-outlines goes with --show of something else than light, which has none");
+}
+
+GridPicture3 grid_picture_of(const SolveOptions& options, const Scene3& scene) {
+  return {.tone = *tone_of(options.tone),
+          .exposure = options.exposure,
+          .wanted_width = options.size,
+          .has_axes = options.axes,
+          .length_unit = length_unit(scene)};
 }
 
 // The files of light on the scene's grid, and of what --show has of it.
@@ -65,7 +74,7 @@ struct GridFiles {
   }
 
   // Asks for the light, and for its picture where there is a file for it.
-  void write(const Simulation3& simulation, const Shown& shown, std::uint32_t wanted_width, const Streams& streams,
+  void write(const Simulation3& simulation, const Shown& shown, const GridPicture3& how, const Streams& streams,
              std::map<std::string, double>& seconds) {
     const auto light = simulation.light(streams.stages());
     seconds["illumination"] = light->seconds;
@@ -73,7 +82,7 @@ struct GridFiles {
     write_npy(shape, light->values, [this](std::string_view bytes) { npy.write(bytes); });
     const auto channels = simulation.radiosities()->channel_names;
     sidecar.write(illumination_sidecar(region_of(light->grid), channels));
-    if (shown_npy) return write_shown(simulation, shown, wanted_width, streams, seconds);
+    if (shown_npy) return write_shown(simulation, shown, how, streams, seconds);
     if (!png) return;
     const auto picture = simulation.picture(streams.stages());
     seconds["picture"] += picture->seconds;
@@ -89,8 +98,8 @@ struct GridFiles {
   }
 
   // What is shown at the centres of cells, on areas that look along u x v.
-  void write_shown(const Simulation3& simulation, const Shown& shown, std::uint32_t wanted_width,
-                   const Streams& streams, std::map<std::string, double>& seconds) {
+  void write_shown(const Simulation3& simulation, const Shown& shown, const GridPicture3& how, const Streams& streams,
+                   std::map<std::string, double>& seconds) {
     Stopwatch watch;
     const Grid3& grid = *simulation.grid();
     const auto solution = simulation.radiosities();
@@ -103,7 +112,7 @@ struct GridFiles {
     write_npy(shape, values.numbers(), [this](std::string_view bytes) { shown_npy->write(bytes); });
     shown_sidecar->write(hottel::shown_sidecar(region_of(grid), values.name, values.unit));
     if (!png) return;
-    png->write(grid_picture_3(grid, values, wanted_width));
+    png->write(grid_picture_3(grid, values, how));
     seconds["picture"] += watch.lap();
   }
 };
@@ -116,7 +125,9 @@ std::unique_ptr<const RenderedView3> view_of(const SolveOptions& options, const 
   RenderOptions3 asked{.tone = *tone_of(options.tone),
                        .exposure = options.exposure,
                        .wanted_width = options.size,
-                       .shading = *shading_of(options.shading)};
+                       .shading = *shading_of(options.shading),
+                       .has_outlines = options.outlines || (!shown.is_light() && !options.no_outlines),
+                       .has_axes = options.axes};
   if (!shown.is_light()) asked.shown = shown_values(shown, simulation.scene(), factors->matrix, *solution, "W/m²");
   return naming_file(options.scene, [&] {
     return std::make_unique<const RenderedView3>(*simulation.prepared(), simulation.request().factors.granularity,
@@ -132,8 +143,7 @@ PictureView picture_view_of(const RenderedView3& view, const Scene3& scene) {
 
 SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) {
   const std::optional<Grid3> grid = options.no_illumination ? std::nullopt : grid_of(scene, options.grid);
-  const GridPicture3 picture{
-      .tone = *tone_of(options.tone), .exposure = options.exposure, .wanted_width = options.size};
+  const GridPicture3 picture = grid_picture_of(options, scene);
   return {.factors = {.method = options.method == "exact" ? nullptr : all_methods_3().make(options.method),
                       .granularity = is_divided(scene) || options.levels.levels().is_any() ? Granularity::kElement
                                                                                            : Granularity::kFace,
@@ -195,7 +205,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   if (dividing->seconds > 0) seconds["dividing"] = dividing->seconds;
   seconds["read"] = seconds_to_read;
   seconds["write"] = watch.lap();
-  if (grid) grid->write(simulation, shown, options.size, streams, seconds);
+  if (grid) grid->write(simulation, shown, grid_picture_of(options, simulation.scene()), streams, seconds);
   watch.lap();
   std::unique_ptr<const RenderedView3> view;
   if (png) {

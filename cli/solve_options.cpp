@@ -36,7 +36,7 @@ LightTest light_test_of(const SolveOptions& options, const SceneTable& scene) {
 
 std::optional<PictureRange> range_of(const std::optional<ShownValues>& shown) {
   if (!shown) return std::nullopt;
-  return PictureRange{shown->name, shown->unit, shown->scale.lower, shown->scale.upper};
+  return PictureRange{shown->name, shown->unit, shown->least, shown->greatest, shown->scale.lower, shown->scale.upper};
 }
 
 Tone tone_asked(const std::string& name) {

@@ -33,6 +33,7 @@ struct SolveOptions {
   std::string show = "light", channel, bar, shading = "flat", render;
   int contours = 0;
   bool axes = false;
+  bool outlines = false, no_outlines = false;
   bool no_picture = false, no_illumination = false;
   std::optional<std::string> tolerance;  // in space
   GuaranteeOption guarantee;

@@ -1,6 +1,10 @@
 #include "geometry/scene_names.h"
 
+#include <fnmatch.h>
+#include <locale.h>
+
 #include <algorithm>
+#include <string_view>
 
 #include "geometry/name.h"
 #include "geometry/near_names.h"
@@ -35,17 +39,62 @@ std::vector<std::string> beginnings(const SceneTable& scene) {
 
 }  // namespace
 
-std::vector<std::uint32_t> surfaces_matching(const SceneTable& scene, const std::string& pattern) {
-  const bool is_prefix = !pattern.empty() && pattern.back() == '*';
-  const std::string prefix = pattern.substr(0, pattern.size() - (is_prefix ? 1 : 0));
-  const auto matches = [&](const std::string& name) { return is_prefix ? name.starts_with(prefix) : name == pattern; };
+namespace {
+
+constexpr const char* kGlobCharacters = "*?[";
+
+template <class Matches>
+std::vector<std::uint32_t> surfaces_that(const SceneTable& scene, const Matches& matches) {
   std::vector<std::uint32_t> result;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
     if (matches(scene.surfaces[s].name) || matches(scene.groups[scene.surfaces[s].group].name)) result.push_back(s);
-  if (result.empty())
-    throw UnknownName("no surface of " + scene.file + " is called '" + pattern + "'", pattern,
-                      is_prefix ? beginnings(scene) : names_of(scene, false));
   return result;
+}
+
+// While it lives, characters of this thread are those of UTF-8.
+class Utf8Scope {
+ public:
+  Utf8Scope() : utf8_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {
+    if (utf8_ != nullptr) before_ = uselocale(utf8_);
+  }
+  ~Utf8Scope() {
+    if (utf8_ == nullptr) return;
+    uselocale(before_);
+    freelocale(utf8_);
+  }
+  Utf8Scope(const Utf8Scope&) = delete;
+  Utf8Scope& operator=(const Utf8Scope&) = delete;
+
+ private:
+  locale_t utf8_, before_ = nullptr;
+};
+
+std::vector<std::uint32_t> surfaces_described(const SceneTable& scene, const std::string& pattern) {
+  const Utf8Scope utf8;
+  return surfaces_that(
+      scene, [&](const std::string& name) { return fnmatch(pattern.c_str(), name.c_str(), FNM_NOESCAPE) == 0; });
+}
+
+// Of a pattern names are near to what it is without its own characters.
+std::string without_glob_characters(std::string pattern) {
+  std::erase_if(pattern, [](char c) { return std::string_view("*?[]").find(c) != std::string_view::npos; });
+  return pattern;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> surfaces_matching(const SceneTable& scene, const std::string& pattern) {
+  std::vector<std::uint32_t> found = surfaces_that(scene, [&](const std::string& name) { return name == pattern; });
+  const std::size_t star = pattern.find('*');
+  const bool is_prefix = star != std::string::npos && star + 1 == pattern.size();
+  if (found.empty() && is_prefix)
+    found = surfaces_that(scene, [&](const std::string& name) { return name.starts_with(pattern.substr(0, star)); });
+  const bool is_glob = pattern.find_first_of(kGlobCharacters) != std::string::npos;
+  if (found.empty() && is_glob) found = surfaces_described(scene, pattern);
+  if (!found.empty()) return found;
+  const std::string text = "no surface of " + scene.file + " is called '" + pattern + "'";
+  if (is_prefix) throw UnknownName(text, pattern, beginnings(scene));
+  throw UnknownName(text, is_glob ? without_glob_characters(pattern) : pattern, names_of(scene, false));
 }
 
 Face face_of(const SceneTable& scene, const std::string& name) {

@@ -11,8 +11,15 @@
 
 namespace hottel {
 
-// Returns the surfaces whose name, or whose polyline's name, matches: equal, or equal up to a final '*'. Ascending;
-// "*" alone matches all. Throws UnknownName when there is none.
+// Returns the surfaces whose name, or whose polyline's or group's name, matches, ascending. The first of these that
+// finds some counts:
+//
+//   (1) names that are the pattern, whatever characters they have
+//   (2) of a pattern with a '*' at its end and none before, names that begin with what is before it: "room[*" too
+//   (3) names that it describes as a file name of a shell: '*' any characters, '?' one, "[abc]", "[a-c]", "[!a-c]" one
+//       of these; a bracket by itself is "[[]". Characters are those of UTF-8
+//
+// Throws UnknownName when there is none. COST: linear as a rule.
 std::vector<std::uint32_t> surfaces_matching(const SceneTable& scene, const std::string& pattern);
 
 // Returns the face of that name, "wall" or "wall:back". Throws UnknownName when there is none; the sky is no

@@ -212,8 +212,8 @@ std::string solve_json(const SolveReport& report) {
     if (!light->contours.empty()) json["picture"]["contours"] = light->contours;
   }
   if (const auto& range = report.picture_range)
-    json["picture"] = {
-        {"quantity", range->quantity}, {"unit", range->unit}, {"lower", range->lower}, {"upper", range->upper}};
+    json["picture"] = {{"quantity", range->quantity}, {"unit", range->unit},           {"lower", range->lower},
+                       {"upper", range->upper},       {"bar_lower", range->bar_lower}, {"bar_upper", range->bar_upper}};
   if (const auto& view = report.picture_view)
     json["picture"]["camera"] = {{"eye", view->eye},
                                  {"target", view->target},

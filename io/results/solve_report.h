@@ -43,10 +43,11 @@ struct FactorCounts {
 };
 FactorCounts factor_counts(const ExchangeReport& report);
 
-// The range of the scale of a picture, and what it is of.
+// The range of what a picture shows, and the ends of its colour bar.
 struct PictureRange {
   std::string quantity, unit;
-  double lower = 0, upper = 0;
+  double lower = 0, upper = 0;  // the least and the greatest value
+  double bar_lower = 0, bar_upper = 0;
 };
 
 // How the light of a picture became colours.

@@ -28,6 +28,7 @@ struct PictureKeywords {
   std::int64_t size = 0;
   int contours = 0;
   bool has_axes = false;
+  std::optional<bool> outlines;
   GridKeywords grid;
 };
 
@@ -40,11 +41,13 @@ struct PictureRequest {
   std::uint32_t width = 0;
   int contours = 0;
   bool has_axes = false;
+  bool has_outlines = false;
   bool shows_cells = false;  // in the plane, beneath what is shown of faces
   bool is_of_grid = false;   // in space
 };
 
 void require_sense_in_plane(const PictureKeywords& asked, const PictureRequest& request) {
+  if (asked.outlines) throw UsageError("outlines are of scenes in space: in the plane walls are lines");
   if (asked.of != "scene") throw UsageError("of is of scenes in space: in the plane light has a picture of its grid");
   if (request.shown.is_light() && request.shading != Shading::kFlat)
     throw UsageError("shading in the plane is of values of faces: light between the faces has no elements");
@@ -55,10 +58,11 @@ void require_sense_in_plane(const PictureKeywords& asked, const PictureRequest& 
 void require_sense_in_space(const PictureKeywords& asked, const PictureRequest& request) {
   if (asked.of != "scene" && asked.of != "grid")
     throw UsageError("of is 'scene', what the camera sees, or 'grid', not '" + asked.of + "'");
-  if (asked.contours > 0 || asked.has_axes) throw UsageError("contours and axes are of scenes in the plane");
+  if (asked.contours > 0) throw UsageError("contours are of scenes in the plane");
   if (asked.of == "scene" && asked.grid.is_given())
     throw UsageError("cells and over go with of='grid': the camera sees faces");
   if (asked.of != "grid") return;
+  if (asked.outlines) throw UsageError("outlines are of faces, not of a grid");
   if (!request.shown.is_light() && !is_of_points(request.shown))
     throw UsageError("a grid shows 'light', 'irradiance', 'temperature' or 'sky', not '" + asked.show + "'");
   if (request.shading != Shading::kFlat) throw UsageError("shading is of faces, not of a grid");
@@ -72,6 +76,7 @@ PictureRequest request_of(const PythonScene& scene, const PictureKeywords& asked
                          .width = width_of_picture(asked.size),
                          .contours = asked.contours,
                          .has_axes = asked.has_axes,
+                         .has_outlines = asked.outlines.value_or(asked.show != "light"),
                          .is_of_grid = asked.of == "grid"};
   require_exposure(request.exposure);
   if (asked.contours < 0 || asked.contours > 100) throw UsageError("contours are a number from 0 to 100");
@@ -123,8 +128,12 @@ PythonPicture::Draw drawing_of_grid(const Simulation3& simulation, const Picture
   const auto only_pixels = [](PictureFormat format) {
     if (format != PictureFormat::kPng) throw UsageError("a picture of a grid has pixels: it is written as .png");
   };
+  const GridPicture3 picture{.tone = request.tone,
+                             .exposure = request.exposure,
+                             .wanted_width = request.width,
+                             .has_axes = request.has_axes,
+                             .length_unit = length_unit(simulation.scene())};
   if (request.shown.is_light()) {
-    const GridPicture3 picture{.tone = request.tone, .exposure = request.exposure, .wanted_width = request.width};
     return [light = simulation.light(progress), picture, only_pixels](PictureFormat format) {
       only_pixels(format);
       return grid_picture_3(*light, picture);
@@ -134,10 +143,9 @@ PythonPicture::Draw drawing_of_grid(const Simulation3& simulation, const Picture
   const auto lights = oriented_lights_on_grid(*simulation.prepared(), simulation.request().factors.granularity,
                                               *solution, *simulation.grid(), telling("light on the grid", progress));
   ShownValues values = shown_at_points(request.shown, lights, solution->channel_names, radiosity_unit(false));
-  return [grid = *simulation.grid(), values = std::move(values), width = request.width,
-          only_pixels](PictureFormat format) {
+  return [grid = *simulation.grid(), values = std::move(values), picture, only_pixels](PictureFormat format) {
     only_pixels(format);
-    return grid_picture_3(grid, values, width);
+    return grid_picture_3(grid, values, picture);
   };
 }
 
@@ -146,8 +154,12 @@ PythonPicture::Draw drawing(const Simulation3& simulation, const PictureRequest&
   const auto factors = simulation.factors(progress);
   const auto solution = simulation.radiosities(progress);
   if (request.is_of_grid) return drawing_of_grid(simulation, request, progress);
-  RenderOptions3 options{
-      .tone = request.tone, .exposure = request.exposure, .wanted_width = request.width, .shading = request.shading};
+  RenderOptions3 options{.tone = request.tone,
+                         .exposure = request.exposure,
+                         .wanted_width = request.width,
+                         .shading = request.shading,
+                         .has_outlines = request.has_outlines,
+                         .has_axes = request.has_axes};
   if (!request.shown.is_light())
     options.shown = shown_values(request.shown, simulation.scene(), factors->matrix, *solution, radiosity_unit(false));
   const auto prepared = simulation.prepared(progress);
@@ -159,10 +171,10 @@ PythonPicture::Draw drawing(const Simulation3& simulation, const PictureRequest&
 PythonPicture picture(const PythonSimulation& simulation, const std::string& show,
                       const std::optional<std::string>& channel, const std::optional<std::string>& bar,
                       const std::string& tone, double exposure, std::int64_t size, const std::string& shading,
-                      bool has_axes, int contours, const py::object& cells, const py::object& over,
-                      const std::string& illumination, const std::string& of) {
-  const PictureKeywords asked{
-      show, tone, shading, of, channel, bar, exposure, size, contours, has_axes, {cells, over, illumination}};
+                      bool has_axes, std::optional<bool> outlines, int contours, const py::object& cells,
+                      const py::object& over, const std::string& illumination, const std::string& of) {
+  const PictureKeywords asked{show,     tone, shading,  of,       channel,  bar,
+                              exposure, size, contours, has_axes, outlines, {cells, over, illumination}};
   const PictureRequest request = request_of(simulation.scene(), asked);
   const bool has_grid = simulation.is_plane() || request.is_of_grid;
   const auto version = has_grid ? gridded(simulation, asked.grid) : nullptr;
@@ -180,8 +192,9 @@ void add_picture_questions(py::class_<PythonSimulation>& type) {
   type.def(
       "picture", &picture, py::arg("show") = "light", py::kw_only(), py::arg("channel") = py::none(),
       py::arg("bar") = py::none(), py::arg("tone") = "log", py::arg("exposure") = 1.0, py::arg("size") = 0,
-      py::arg("shading") = "flat", py::arg("axes") = false, py::arg("contours") = 0, py::arg("cells") = py::none(),
-      py::arg("over") = py::none(), py::arg("illumination") = "point", py::arg("of") = "scene",
+      py::arg("shading") = "flat", py::arg("axes") = false, py::arg("outlines") = py::none(), py::arg("contours") = 0,
+      py::arg("cells") = py::none(), py::arg("over") = py::none(), py::arg("illumination") = "point",
+      py::arg("of") = "scene",
       "Returns a picture of what was simulated, Picture: that of `solve`. In the plane the light between the faces, "
       "or\n"
       "a plan; in space what the scene's camera sees, or with of='grid' the scene's grid.\n\n"
@@ -189,8 +202,11 @@ void add_picture_questions(py::class_<PythonSimulation>& type) {
       "(view factor to it), 'factor:NAME'. channel: 'r', 'g', 'b', 'solar' or 'thermal'. bar: ends of the scale,\n"
       "'LOW:HIGH', 'LOW:HIGH:log'. tone: of light, 'linear', 'reinhard', 'log' or 'max', and what it is multiplied by "
       "before,\n"
-      "exposure. size: pixels across, 0 for the usual. shading: 'flat', 'smooth' or 'parents'. axes, contours: in the\n"
-      "plane. cells, over, illumination: as of grid(). Throws UsageError for what makes no sense, RequestError as of\n"
+      "exposure. size: pixels across, 0 for the usual. shading: 'flat', 'smooth' or 'parents'. axes: coordinates and a "
+      "scale\n"
+      "bar. contours: in the plane. outlines: in space, lines where surfaces end, bend or hide others; None: where a "
+      "scale is shown. cells, "
+      "over, illumination: as of grid(). Throws UsageError for what makes no sense, RequestError as of\n"
       "radiosity and for what cannot be drawn.");
 }
 

@@ -549,6 +549,7 @@ class Simulation:
         size: int = ...,
         shading: Literal["flat", "smooth", "parents"] = ...,
         axes: bool = ...,
+        outlines: bool | None = ...,
         contours: int = ...,
         cells: Sequence[int] | None = ...,
         over: dict[str, Any] | None = ...,

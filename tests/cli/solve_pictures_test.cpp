@@ -204,6 +204,45 @@ TEST(SolvePictures, AreWrittenToAnotherFileToo) {
     }
 }
 
+TEST(SolvePictures, AxesInSpaceTellHowFarTheSceneReaches) {
+  const Workplace place;
+  place.write("cube.json", contents(scene_file("space/cube.json")));
+  for (const char* show : {"light", "irradiance"}) {
+    ASSERT_EQ(place.run(std::string("hottel solve cube.json -o out --axes --render p.svg --show ") + show).code, 0);
+    EXPECT_THAT(place.read("p.svg"), HasSubstr("x 0 to 1 m"));
+  }
+  place.write("yard.json", R"({"hottel": 1, "dimension": 3, "sky": {"emission": 1}, "materials": {"m": {}},
+    "grid": {"origin": [0, 0, 1], "u": [4, 0, 0], "v": [0, 4, 0], "cells": [2, 2]}, "polygons": [
+    {"points": [[0,0,0],[5,0,0],[5,5,0]], "material": "m"}]})");
+  for (const char* show : {"light", "irradiance"}) {
+    const std::string line = std::string("hottel solve yard.json -o out --show ") + show;
+    ASSERT_EQ(place.run(line).code, 0);
+    const std::string plain = place.read("out/illumination.png");
+    ASSERT_EQ(place.run(line + " --axes").code, 0);
+    EXPECT_NE(place.read("out/illumination.png"), plain);
+  }
+}
+
+TEST(SolvePictures, BarsAreCutWhereALampWouldFlattenThem) {
+  const Workplace place;
+  place.write("lamp.json", R"({"hottel": 1, "dimension": 3, "sky": {"emission": 1}, "materials": {
+    "m": {"reflectivity": 0.5}, "lamp": {"emission": 1000}}, "polygons": [
+    {"name": "floor", "points": [[0,0,0],[5,0,0],[5,5,0],[0,5,0]], "material": "m", "elements": 5},
+    {"name": "lamp", "points": [[2,2,3],[2,3,3],[3,3,3],[3,2,3]], "material": "lamp"}]})");
+  const auto picture = [&](const std::string& options) {
+    EXPECT_EQ(place.run("hottel solve lamp.json -o out --tolerance 1e-4 --show radiosity " + options).code, 0);
+    return nlohmann::json::parse(place.read("out/report.json"))["picture"];
+  };
+  const auto fitted = picture("");
+  expect_range({{"picture", fitted}}, column(place.read("out/radiosity.csv"), kRadiosity));
+  EXPECT_EQ(fitted["upper"], 1000);
+  EXPECT_LT(fitted["bar_upper"], 100);
+  EXPECT_EQ(fitted["bar_lower"], fitted["lower"]);
+  const auto asked = picture("--bar 0:2000");
+  EXPECT_EQ(asked["bar_upper"], 2000);
+  EXPECT_EQ(asked["upper"], 1000);
+}
+
 TEST(SolvePictures, SmoothOnesBlendElements) {
   const Workplace place;
   place.write("cube.json", contents(scene_file("space/cube.json")));

@@ -73,8 +73,9 @@ TEST(ShownValues, AreTheDoublesOfTheTables) {
     EXPECT_EQ(net.elements[i], solved.element(i).radiosity - solved.element(i).irradiance);
   }
   EXPECT_EQ(radiosity.elements[3], std::nullopt);
-  EXPECT_EQ(net.scale.lower, std::min({*net.elements[0], *net.elements[1], *net.elements[2]}));
-  EXPECT_EQ(net.scale.upper, std::max({*net.elements[0], *net.elements[1], *net.elements[2]}));
+  EXPECT_EQ(net.least, std::min({*net.elements[0], *net.elements[1], *net.elements[2]}));
+  EXPECT_EQ(net.greatest, std::max({*net.elements[0], *net.elements[1], *net.elements[2]}));
+  EXPECT_EQ(net.areas, (std::vector<double>{1, 1, 1, 0}));
   EXPECT_EQ(net.unit, "W/m²");
   EXPECT_THAT(net.title, HasSubstr("net flux [W/m²]: "));
 }
@@ -96,6 +97,9 @@ TEST(ShownValues, FactorsGoToTheSkyAFaceOrAGroup) {
   EXPECT_EQ(high.elements[2], 0);
   EXPECT_EQ(solved.shown(shown_by("factor:plates")).elements[0], high.elements[0]);
   EXPECT_EQ(solved.shown(shown_by("factor:hi*")).elements[0], high.elements[0]);
+  EXPECT_EQ(solved.shown(shown_by("factor:?ig[h]")).elements[0], high.elements[0]);
+  EXPECT_EQ(solved.shown(shown_by("factor:*ig*:back")).elements[0], 0);
+  EXPECT_THROW(solved.shown(shown_by("factor:?gih")), UnknownName);
   EXPECT_EQ(solved.shown(shown_by("factor:high:back")).elements[0], 0);
   EXPECT_THROW(solved.shown(shown_by("factor:hihg")), UnknownName);
   EXPECT_THROW(solved.shown(shown_by("factor:hihg:back")), UnknownName);
@@ -179,7 +183,11 @@ TEST(ShownValues, TakeTheScaleAskedFor) {
   };
   EXPECT_EQ(asked({10, 20}).scale.lower, 10);
   EXPECT_EQ(asked({10, 20}).scale.upper, 20);
-  EXPECT_THAT(asked({10, 20}).title, testing::EndsWith("radiosity [W/m²]: 10 to 20"));
+  EXPECT_THAT(asked({10, 1e6}).title, testing::EndsWith("radiosity [W/m²]: 10 to 1e+06"));
+  EXPECT_THAT(asked({10, 20}).title, HasSubstr("radiosity [W/m²]: 10 to 20, values to "));
+  EXPECT_TRUE(asked({10, 20}).scale.cuts_upper);
+  EXPECT_EQ(asked({10, 20}).least, own.least);
+  EXPECT_EQ(asked({10, 20}).greatest, own.greatest);
   EXPECT_EQ(asked({10, {}}).scale.upper, own.scale.upper);
   EXPECT_EQ(asked({{}, 1e6}).scale.lower, own.scale.lower);
   EXPECT_EQ(asked({1e9, {}}).scale.lower, 1e9) << "above all values";

@@ -373,10 +373,11 @@ void CairoCanvas::begin_layer() { cairo_push_group(state_->context); }
 // Clipped as a whole: files hold the polygons once.
 void CairoCanvas::end_layer(std::span<const std::vector<Pixel>> inside) {
   cairo_pop_group_to_source(state_->context);
+  cairo_save(state_->context);
   state_->trace(inside);
   cairo_clip(state_->context);
   cairo_paint(state_->context);
-  cairo_reset_clip(state_->context);
+  cairo_restore(state_->context);
 }
 
 double CairoCanvas::text_width(std::string_view text, const TextStyle& style) const {

@@ -115,7 +115,7 @@ class PictureCanvas {
   virtual void unclip() = 0;
 
   // What is drawn until end_layer() comes onto the sheet then, as far as it lies inside one of the polygons, which go
-  // around in one sense. One layer at a time, and no clip in it.
+  // around in one sense, and inside the clip where there is one. One layer at a time, and no clip in it.
   virtual void begin_layer() = 0;
   virtual void end_layer(std::span<const std::vector<Pixel>> inside) = 0;
 

@@ -182,57 +182,84 @@ std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
 
 namespace {
 
-// A line across the bar, paper beneath ink, so that it is seen on all colours.
-void draw_marked(PictureCanvas& canvas, double x, double top, double height, double unit) {
-  const double beyond = 3 * unit;
-  for (const auto& [colour, width] : {std::pair(palette::kPaper, 4.0), {palette::kInk, 1.8}})
-    canvas.stroke(Mark::kLegend, {x, top - beyond}, {x, top + height + beyond}, colour, width * unit);
+// A bar and its room: from left to right, and beneath each other.
+struct BarPlace {
+  double left, right, top, bottom;
+  double wide() const { return right - left; }
+};
+
+// Apart, at the left of a shorter bar.
+void draw_zero(PictureCanvas& canvas, const TextStyle& small, double unit, BarPlace& bar) {
+  const double swatch = 16 * unit, gap = 8 * unit;
+  canvas.fill_rectangle(Mark::kLegend, {bar.left, bar.top}, {bar.left + swatch, bar.bottom}, palette::kZero);
+  canvas.text(Mark::kLegend, {bar.left + swatch / 2, bar.bottom + 19 * unit}, "0", small);
+  bar.left += swatch + gap;
 }
 
-}  // namespace
+// In place of an end that is cut, in its colour.
+void draw_arrows(PictureCanvas& canvas, const ColourScale& scale, BarPlace& bar) {
+  const double middle = (bar.top + bar.bottom) / 2, deep = bar.bottom - bar.top;
+  const auto draw = [&](double tip, double base, double value) {
+    const Pixel corners[] = {{tip, middle}, {base, bar.top}, {base, bar.bottom}};
+    canvas.fill(Mark::kLegend, corners, scale_colour(scale, value));
+  };
+  if (scale.cuts_lower) draw(bar.left, bar.left + deep, scale.lower);
+  if (scale.cuts_upper) draw(bar.right, bar.right - deep, scale.upper);
+  bar.left += scale.cuts_lower ? deep : 0;
+  bar.right -= scale.cuts_upper ? deep : 0;
+}
 
-double draw_legend(PictureCanvas& canvas, const ColourScale& scale, const std::string& title, Pixel corner,
-                   double bar_width, double unit, const LegendMarks& marks) {
-  const double bar_top = corner.y + 24 * unit, bar_height = 14 * unit, full_left = corner.x;
-  TextStyle heading{.size = 17 * unit, .colour = palette::kInk};
-  TextStyle small{.size = 14 * unit, .colour = palette::kSoftInk, .anchor = TextAnchor::kCentre};
-  heading.size *= std::min(1.0, 1.6 * bar_width / std::max(1.0, canvas.text_width(title, heading)));
-  canvas.text(Mark::kLegend, {corner.x, corner.y + 13 * unit}, title, heading);
-
+void draw_shades(PictureCanvas& canvas, const ColourScale& scale, const LegendMarks& marks, const BarPlace& bar) {
   constexpr std::uint32_t kShades = 256;
   Raster shades(kShades, 1);
   for (std::uint32_t k = 0; k < kShades; ++k)
     shades.pixels[k] = pixel_of(marks.colour       ? marks.colour(scale.value((k + 0.5) / kShades))
                                 : scale.about_zero ? scale_colour(scale, scale.value((k + 0.5) / kShades))
                                                    : map_colour((k + 0.5) / kShades));
-  double wide = std::max(bar_width, canvas.text_width(title, heading));
-  if (scale.has_zero) {  // apart, at the left of a shorter bar
-    const double swatch = 16 * unit, gap = 8 * unit;
-    canvas.fill_rectangle(Mark::kLegend, {corner.x, bar_top}, {corner.x + swatch, bar_top + bar_height},
-                          palette::kZero);
-    canvas.text(Mark::kLegend, {corner.x + swatch / 2, bar_top + bar_height + 19 * unit}, "0", small);
-    corner.x += swatch + gap;
-    bar_width -= swatch + gap;
-    wide = std::max(bar_width, wide - swatch - gap);
-  }
-  const double before = full_left - corner.x;  // 0, or less
-  canvas.image(Mark::kLegend, {corner.x, bar_top}, {corner.x + bar_width, bar_top + bar_height}, shades, true);
+  canvas.image(Mark::kLegend, {bar.left, bar.top}, {bar.right, bar.bottom}, shades, true);
+}
 
-  const std::vector<double> ticks = scale.ticks(std::max(2, static_cast<int>(bar_width / (48 * unit))));
+// A line across the bar, paper beneath ink, so that it is seen on all colours.
+void draw_marked(PictureCanvas& canvas, double x, const BarPlace& bar, double unit) {
+  const double beyond = 3 * unit;
+  for (const auto& [colour, width] : {std::pair(palette::kPaper, 4.0), {palette::kInk, 1.8}})
+    canvas.stroke(Mark::kLegend, {x, bar.top - beyond}, {x, bar.bottom + beyond}, colour, width * unit);
+}
+
+// Returns where the last label ends.
+double draw_ticks(PictureCanvas& canvas, const ColourScale& scale, const TextStyle& small, double unit,
+                  const BarPlace& bar) {
+  double end = bar.right;
+  const std::vector<double> ticks = scale.ticks(std::max(2, static_cast<int>(bar.wide() / (48 * unit))));
   const std::vector<std::string> labels = tick_labels(ticks);
   for (std::size_t k = 0; k < ticks.size(); ++k) {
-    const double x = corner.x + bar_width * scale.position(ticks[k]);
-    canvas.stroke(Mark::kLegend, {x, bar_top + bar_height}, {x, bar_top + bar_height + 4 * unit}, palette::kSoftInk,
-                  unit);
+    const double x = bar.left + bar.wide() * scale.position(ticks[k]);
+    canvas.stroke(Mark::kLegend, {x, bar.bottom}, {x, bar.bottom + 4 * unit}, palette::kSoftInk, unit);
     // A label at the very left or right stays within the bar, so that the bar lines up with its neighbours.
     const double half = canvas.text_width(labels[k], small) / 2;
-    const double centre = std::clamp(x, corner.x + half, std::max(corner.x + half, corner.x + bar_width - half));
-    canvas.text(Mark::kLegend, {centre, bar_top + bar_height + 19 * unit}, labels[k], small);
-    wide = std::max(wide, centre + half - corner.x);
+    const double centre = std::clamp(x, bar.left + half, std::max(bar.left + half, bar.right - half));
+    canvas.text(Mark::kLegend, {centre, bar.bottom + 19 * unit}, labels[k], small);
+    end = std::max(end, centre + half);
   }
-  if (marks.marked)
-    draw_marked(canvas, corner.x + bar_width * scale.position(*marks.marked), bar_top, bar_height, unit);
-  return wide - before;
+  return end;
+}
+
+}  // namespace
+
+double draw_legend(PictureCanvas& canvas, const ColourScale& scale, const std::string& title, Pixel corner,
+                   double bar_width, double unit, const LegendMarks& marks) {
+  TextStyle heading{.size = 17 * unit, .colour = palette::kInk};
+  const TextStyle small{.size = 14 * unit, .colour = palette::kSoftInk, .anchor = TextAnchor::kCentre};
+  heading.size *= std::min(1.0, 1.6 * bar_width / std::max(1.0, canvas.text_width(title, heading)));
+  canvas.text(Mark::kLegend, {corner.x, corner.y + 13 * unit}, title, heading);
+  BarPlace bar{corner.x, corner.x + bar_width, corner.y + 24 * unit, corner.y + 38 * unit};
+  const double wide = std::max(bar_width, canvas.text_width(title, heading));
+  if (scale.has_zero) draw_zero(canvas, small, unit, bar);
+  draw_arrows(canvas, scale, bar);
+  draw_shades(canvas, scale, marks, bar);
+  const double end = draw_ticks(canvas, scale, small, unit, bar);
+  if (marks.marked) draw_marked(canvas, bar.left + bar.wide() * scale.position(*marks.marked), bar, unit);
+  return std::max(wide, end - corner.x);
 }
 
 }  // namespace hottel

@@ -61,9 +61,9 @@ struct LegendMarks {
 };
 
 // Draws a bar with the colours of a scale, labels beneath it and the title above, its top left corner at `corner`;
-// where a scale has_zero, its colour stands apart at the left. `unit` is the size of everything: the height of letters
-// is about 11 units. Returns the width that the bar, its labels and title take, at most 1.6 bars: a longer title is set
-// smaller.
+// where a scale has_zero, its colour stands apart at the left, and an end that is cut is an arrow. `unit` is the size
+// of everything: the height of letters is about 11 units. Returns the width that the bar, its labels and title take, at
+// most 1.6 bars: a longer title is set smaller.
 double draw_legend(PictureCanvas& canvas, const ColourScale& scale, const std::string& title, Pixel corner,
                    double bar_width, double unit, const LegendMarks& marks = {});
 

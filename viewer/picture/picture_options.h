@@ -31,6 +31,7 @@ struct ColourScale {
   bool logarithmic = false;
   bool about_zero = false;  // colours part at 0, as far on both sides; excludes logarithmic
   bool has_zero = false;  // logarithmic: some values are 0, which have a colour of their own, and a place in the legend
+  bool cuts_lower = false, cuts_upper = false;  // some values lie beyond that end: the legend has an arrow there
 
   // Returns where the value lies between lower and upper, clamped to [0, 1]; 0 of every value where they are equal.
   // REQUIRES lower <= upper, both finite; logarithmic: lower > 0. A value <= 0 on a logarithmic scale has position 0.

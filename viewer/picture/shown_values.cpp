@@ -12,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "geometry/face.h"
 #include "geometry/gray_temperature.h"
 #include "geometry/near_names.h"
 #include "geometry/scene_names.h"
@@ -80,11 +81,8 @@ std::string words_of(bool (*fits)(const QuantityRow&), const std::string& before
 std::vector<bool> targets_of(const SceneTable& scene, const std::string& toward) {
   if (toward == "sky") return {};
   std::vector<bool> targets(2 * scene.surfaces.size(), false);
-  if (toward.ends_with(":back")) {
-    targets[face_of(scene, toward).number()] = true;
-  } else {
-    for (const std::uint32_t s : surfaces_matching(scene, toward)) targets[Face{s, false}.number()] = true;
-  }
+  const SideName side = side_named(toward);
+  for (const std::uint32_t s : surfaces_matching(scene, side.name)) targets[Face{s, side.is_back}.number()] = true;
   return targets;
 }
 
@@ -116,43 +114,41 @@ std::vector<std::optional<double>> temperatures_of(const SceneTable& scene) {
   return result;
 }
 
-// The scale of values by what was asked for (5), (6); largest_radiosity: of all channels.
-ColourScale scale_of(const Shown& shown, const std::vector<std::optional<double>>& values, double largest_radiosity) {
-  ColourScale scale{.about_zero = row_of(shown).has_sign};
-  scale.logarithmic = shown.scale.is_logarithmic;
-  bool is_first = true;
-  for (const auto& value : values) {
-    if (!value) continue;
-    if (scale.logarithmic && !(*value > 0)) {
-      scale.has_zero = true;
-      continue;
-    }
-    scale.lower = is_first ? *value : std::min(scale.lower, *value);
-    scale.upper = is_first ? *value : std::max(scale.upper, *value);
-    is_first = false;
-  }
-  if (is_first && scale.logarithmic) scale.lower = 1;
-  const auto digits = [](double value) { return fmt::format("{:.6g}", value); };
-  if (scale.about_zero && std::max(-scale.lower, scale.upper) <= 1e-9 * largest_radiosity)
-    scale.lower = scale.upper = 0;
-  if (digits(scale.lower) == digits(scale.upper)) scale.upper = scale.lower;
-  if (const auto& lower = shown.scale.lower) {
-    scale.lower = *lower;
-    scale.upper = std::max(scale.upper, *lower);
-  }
-  if (const auto& upper = shown.scale.upper) {
-    scale.upper = *upper;
-    scale.lower = std::min(scale.lower, *upper);
-  }
-  return scale;
+// Of the elements that have one.
+std::vector<AreaValue> area_values(const ShownValues& shown) {
+  std::vector<AreaValue> result;
+  for (std::size_t k = 0; k < shown.elements.size(); ++k)
+    if (shown.elements[k]) result.push_back({*shown.elements[k], shown.areas.empty() ? 1 : shown.areas[k]});
+  return result;
 }
 
-// "irradiance [W/m²]: 1.2 to 34.5".
+// The same, all areas together 1.
+std::vector<AreaValue> shares(const ShownValues& shown) {
+  std::vector<AreaValue> result = area_values(shown);
+  double all = 0;
+  for (const AreaValue& each : result) all += each.area;
+  for (AreaValue& each : result) each.area = all > 0 ? each.area / all : 1.0 / static_cast<double>(result.size());
+  return result;
+}
+
+// largest_radiosity: of all channels.
+void fit(const Shown& shown, std::vector<AreaValue> values, double largest_radiosity, ShownValues& result) {
+  const FittedScale fitted = fitted_scale(std::move(values), shown.scale,
+                                          {.has_sign = row_of(shown).has_sign, .noise = 1e-9 * largest_radiosity});
+  result.scale = fitted.scale;
+  result.least = fitted.least;
+  result.greatest = fitted.greatest;
+}
+
+// "irradiance [W/m²]: 1.2 to 34.5", and where the scale is cut ", values to 980".
 std::string title_of(const ShownValues& values) {
   const ColourScale& scale = values.scale;
   std::string title = values.name + (values.unit == "1" ? ": " : " [" + values.unit + "]: ");
   title += fmt::format("{:.6g}", scale.lower);
   if (scale.lower < scale.upper) title += fmt::format(" to {:.6g}", scale.upper);
+  if (scale.cuts_lower || scale.cuts_upper) title += ", values";
+  if (scale.cuts_lower) title += fmt::format(" from {:.6g}", values.least);
+  if (scale.cuts_upper) title += fmt::format(" to {:.6g}", values.greatest);
   return title;
 }
 
@@ -178,7 +174,8 @@ std::string unit_of(const Shown& shown, const std::string& unit_of_radiosities) 
 
 std::string words_to_show() {
   return words_of([](const QuantityRow& row) { return row.quantity != Quantity::kLight; }, ", ") +
-         " (view factor to it), factor:NAME (view factor to a face, a group, or NAME*)";
+         " (view factor to it), factor:NAME (view factor to a face, a group, or all that a pattern like 'win*' or "
+         "'w[1-3]' describes)";
 }
 
 std::string words_to_show_at_points() {
@@ -291,14 +288,16 @@ ShownValues shown_values(const Shown& shown, const SceneTable& scene, const Exch
 
   ShownValues result;
   result.elements.resize(matrix.size());
+  result.areas.resize(matrix.size());
   double largest_radiosity = 0;
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;
     result.elements[i] = value(i);
+    result.areas[i] = matrix.elements()[i].area.value;
     for (const ChannelSolution& channel : solution.channels)
       largest_radiosity = std::max(largest_radiosity, channel.elements[i].radiosity);
   }
-  result.scale = scale_of(shown, result.elements, largest_radiosity);
+  fit(shown, area_values(result), largest_radiosity, result);
   result.name = name_of(shown, solution.channel_names);
   result.unit = unit_of(shown, unit);
   result.title = title_of(result);
@@ -336,7 +335,7 @@ ShownValues shown_at_points(const Shown& shown, const std::vector<OrientedLight>
     const double value = value_at_point(shown, light);
     result.elements.push_back(std::isfinite(value) ? std::optional(value) : std::nullopt);
   }
-  result.scale = scale_of(shown, result.elements, 0);
+  fit(shown, area_values(result), 0, result);
   result.name = with_channel(shown, row_of(shown).name_at_points, channel_names);
   result.unit = unit_of(shown, unit);
   result.title = title_of(result);
@@ -344,9 +343,13 @@ ShownValues shown_at_points(const Shown& shown, const std::vector<OrientedLight>
 }
 
 void share_scale(const Shown& shown, ShownValues& faces, ShownValues& points) {
-  std::vector<std::optional<double>> all = faces.elements;
-  all.insert(all.end(), points.elements.begin(), points.elements.end());
-  faces.scale = points.scale = scale_of(shown, all, 0);
+  std::vector<AreaValue> all = shares(faces);
+  const std::vector<AreaValue> of_points = shares(points);
+  all.insert(all.end(), of_points.begin(), of_points.end());
+  fit(shown, std::move(all), 0, faces);
+  points.scale = faces.scale;
+  points.least = faces.least;
+  points.greatest = faces.greatest;
   faces.title = title_of(faces);
 }
 

@@ -10,19 +10,13 @@
 #include "geometry/scene_table.h"
 #include "solver/radiosity/oriented_light.h"
 #include "solver/radiosity/radiosity_solution.h"
+#include "viewer/picture/fitted_scale.h"
 #include "viewer/picture/picture_options.h"
 
 namespace hottel {
 
 // kLight: the light itself, in its colours. All others: one number of each element, as a colour of a scale.
 enum class Quantity : unsigned char { kLight, kRadiosity, kIrradiance, kNet, kTemperature, kFactor };
-
-// The ends of a scale that were asked for. Values beyond have the colour of its end.
-struct AskedScale {
-  std::optional<double> lower{}, upper{};  // nothing: that of the values
-  bool is_logarithmic = false;
-  friend bool operator==(const AskedScale&, const AskedScale&) = default;
-};
 
 // What is asked for.
 struct Shown {
@@ -40,8 +34,8 @@ struct Shown {
 // UnknownName for other words.
 Shown shown_by(const std::string& word);
 
-// The words that shown_by takes: "radiosity, irradiance, ..., factor:NAME (view factor to a face, a group, or NAME*)",
-// without the light; and those of them that a grid can show.
+// The words that shown_by takes: "radiosity, irradiance, ..., factor:NAME (view factor to a face, ...)", without the
+// light; and those of them that a grid can show.
 std::string words_to_show();
 std::string words_to_show_at_points();
 
@@ -61,7 +55,9 @@ void require_shown(const Shown& shown, const SceneTable& scene);
 // Values as a picture shows them.
 struct ShownValues {
   std::vector<std::optional<double>> elements;  // by element of the matrix; nothing for those without a row or a value
-  ColourScale scale;                            // from the least value to the largest, or as asked
+  std::vector<double> areas;                    // by element; none: all count alike
+  ColourScale scale;                            // fitted to the values, or as asked
+  double least = 0, greatest = 0;               // of all values (fitted_scale)
   std::string title;                            // of the scale, with unit and range: "irradiance [W/m²]: 1.2 to 34.5"
   std::string name, unit;                       // "irradiance", "W/m²"; "1" where there is none
 
@@ -78,12 +74,11 @@ struct ShownValues {
 //       a given net flux that which solve writes (ElementTemperatures). Faces whose material has no temperature have no
 //       value
 //   (3) a factor is the double of factors.csv from the element to the sky, to the face NAME or NAME:back, or the sum of
-//       those to the fronts of a group, or of all whose names begin with NAME*
+//       those to the fronts (with ":back" the backs) of all that surfaces_matching() finds: of a group, or by a pattern
 //   (4) the colours of a net flux part at 0: faces that gain and faces that lose are told apart at sight
-//   (5) values that six digits do not tell apart have one colour, and so have net fluxes below 1e-9 of the largest
-//       radiosity: the scale is empty then (lower == upper), and roundings make no pattern
-//   (6) the ends of the scale are those asked for, where some are, whatever the values; a logarithmic one begins at the
-//       least value above 0
+//   (5) the scale is that of fitted_scale(), by the areas of elements: the same whatever a camera sees. Net fluxes
+//       below 1e-9 of the largest radiosity are 0 to it
+//   (6) the title has the ends of the scale, and where it cuts some off how far the values go
 //
 // `unit`: of radiosities. REQUIRES what require_shown takes; the solution of this matrix, of this scene.
 ShownValues shown_values(const Shown& shown, const SceneTable& scene, const ExchangeMatrix& matrix,
@@ -93,8 +88,8 @@ ShownValues shown_values(const Shown& shown, const SceneTable& scene, const Exch
 // and the view factor to the sky.
 bool is_of_points(const Shown& shown);
 
-// Makes two scales, of values on faces and at points, one that holds both: the ends are the least and the largest, but
-// those that were asked for. The title of the first tells it.
+// Makes two scales, of values on faces and at points, one that is fitted to both: all faces together count as much as
+// all points. The title of the first tells it.
 void share_scale(const Shown& shown, ShownValues& faces, ShownValues& points);
 
 // Returns the values of such a quantity at points, in the place of elements: of irradiance that on the area at each, by

@@ -48,6 +48,27 @@ TEST(SceneNames, SurfacesMatchByTheirNameTheirPolylineOrABeginning) {
   EXPECT_THAT(surfaces_matching(scene, "*"), ElementsAre(0, 1, 2));
 }
 
+TEST(SceneNames, PatternsDescribeNamesAsAShellDoes) {
+  const Scene2 scene = named_scene();
+  EXPECT_THAT(surfaces_matching(scene, "*[0-9]"), ElementsAre(2));
+  EXPECT_THAT(surfaces_matching(scene, "w?ndow[!2]"), ElementsAre(2));
+  EXPECT_THAT(surfaces_matching(scene, "r*m"), ElementsAre(0, 1)) << "their group";
+  EXPECT_THAT(surfaces_matching(scene, "room[[]?]"), ElementsAre(0, 1));
+  EXPECT_THAT(surfaces_matching(scene, "room[*"), ElementsAre(0, 1));
+  EXPECT_THAT(hints_of([&] { surfaces_matching(scene, "?windo1"); }), ElementsAre("did you mean 'window1'?"));
+}
+
+TEST(SceneNames, ANameIsFirstWhatItIs) {
+  Scene2 scene = named_scene();
+  scene.surfaces[2].name = "w[12]*";
+  scene.surfaces[1].name = "w1";
+  scene.surfaces[0].name = "w\xC3\xA4";
+  EXPECT_THAT(surfaces_matching(scene, "w[12]*"), ElementsAre(2));
+  EXPECT_THAT(surfaces_matching(scene, "w[12]"), ElementsAre(1));
+  EXPECT_THAT(surfaces_matching(scene, "w?"), ElementsAre(0, 1)) << "a letter of two bytes is one";
+  EXPECT_THAT(surfaces_matching(scene, "w[a-z\xC3\xA4]"), ElementsAre(0));
+}
+
 TEST(SceneNames, FacesAreFrontsAndBacks) {
   const Scene2 scene = named_scene();
   EXPECT_EQ(face_of(scene, "window1").surface, 2u);

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <string>
 
-#include "viewer/picture/plane/scale_bar.h"
 #include "viewer/picture/recording_canvas.h"
+#include "viewer/picture/scale_bar.h"
 
 namespace hottel::axes_test {
 namespace {
@@ -82,7 +82,7 @@ TEST(Axes2, AreALineAloneWhereDoublesDoNotTellPlacesApart) {
 TEST(ScaleBar2, IsARoundLengthThatFits) {
   for (const double pixels_per_length : {0.003, 1.0, 7.0, 1234.5}) {
     RecordingCanvas canvas(400, 100);
-    draw_scale_bar_2(canvas, pixels_per_length, "mm", {{390, 50}, 100, 1});
+    draw_scale_bar(canvas, pixels_per_length, "mm", {{390, 50}, 100, 1});
     const auto& bar = canvas.calls().front();
     const double wide = bar.points[1].x - bar.points[0].x;
     EXPECT_TRUE(40 <= wide && wide <= 100) << wide;

@@ -58,6 +58,19 @@ TEST(ScenePicture2, HasOneStripeForEachFaceWithAValue) {
   EXPECT_EQ(canvas.count(Mark::kEmitter), 0u);
 }
 
+// Below stripes lie the same, larger, within the border of all.
+TEST(ScenePicture2, NothingShinesThroughBetweenStripes) {
+  const Scene2 scene = furnished_room();
+  ScenePicture2 picture = coloured();
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
+    picture.colouring->front.emplace_back(static_cast<double>(s) / static_cast<double>(scene.surfaces.size()));
+  const RecordingCanvas canvas = drawn(scene, picture);
+  std::size_t below = 0;
+  for (const auto& call : canvas.calls(Mark::kPaper))
+    for (const auto& stripe : canvas.calls(Mark::kStripe)) below += call.colour == stripe.colour && !call.clip.empty();
+  EXPECT_EQ(below, canvas.count(Mark::kStripe));
+}
+
 TEST(ScenePicture2, StripesLieOnTheirOwnSide) {
   const Scene2 scene = furnished_room();
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)

@@ -18,7 +18,7 @@
 #include "viewer/picture/colour_map.h"
 #include "viewer/picture/palette.h"
 #include "viewer/picture/recording_canvas.h"
-#include "viewer/picture/space/grown_polygon.h"
+#include "viewer/picture/seamless_fill.h"
 
 namespace hottel::render_picture_test {
 namespace {
@@ -29,11 +29,11 @@ using testing::StartsWith;
 using Kind = RecordingCanvas::Kind;
 
 TEST(GrownPolygon, HoldsTheSquaresAroundItsCorners) {
-  const PixelPolygon grown = grown_polygon_3({{0, 0}, {4, 0}, {0, 4}}, 0.5);
+  const PixelPolygon grown = grown_polygon(PixelPolygon{{0, 0}, {4, 0}, {0, 4}}, 0.5);
   // A square of 5 less a corner: its sides are parallel to those of the triangle.
   EXPECT_EQ(grown.size(), 5u);
   EXPECT_NEAR(pixel_area_doubled_3(grown) / 2, 25 - 8, 1e-14);
-  EXPECT_NEAR(pixel_area_doubled_3(grown_polygon_3({{1, 1}, {1, 1}, {1, 1}}, 0.5)), 2, 1e-15);
+  EXPECT_NEAR(pixel_area_doubled_3(grown_polygon(PixelPolygon{{1, 1}, {1, 1}, {1, 1}}, 0.5)), 2, 1e-15);
 }
 
 Simulation3 solved(const std::string& name, std::uint32_t elements = 1) {

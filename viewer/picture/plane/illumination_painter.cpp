@@ -14,11 +14,17 @@
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/palette.h"
 #include "viewer/picture/plane/axes.h"
-#include "viewer/picture/plane/scale_bar.h"
+#include "viewer/picture/plane/contour_set.h"
+#include "viewer/picture/plane/smoothed_field.h"
 #include "viewer/picture/plane/solid_polygons.h"
+#include "viewer/picture/scale_bar.h"
 
 namespace hottel {
 namespace {
+
+constexpr double kBeyondLevels = 16;  // how far values may lie beyond levels, as to contours
+constexpr double kCellsBlended = 1;   // the deviation by which light is blended for contours
+constexpr double kLeastContour = 14;  // units across
 
 struct PixelsPerCell {
   std::uint32_t across, up;
@@ -76,41 +82,6 @@ void cut_along(Pixel a, Pixel b, Pixel origin, PixelField2& field) {
     const double right = std::min(std::floor(std::max(p, q) + 0.5), last_x);
     for (double x = left; x <= right; ++x)
       field.cut[static_cast<std::size_t>(y) * (field.width - 1) + static_cast<std::size_t>(x)] = true;
-  }
-}
-
-Polyline2 moved(Polyline2 line, const Pixel& by) {
-  for (Pixel& p : line) p = {p.x + by.x, p.y + by.y};
-  return line;
-}
-
-double length_of(const Polyline2& line) {
-  double length = 0;
-  for (std::size_t k = 1; k < line.size(); ++k)
-    length += std::hypot(line[k].x - line[k - 1].x, line[k].y - line[k - 1].y);
-  return length;
-}
-
-// The level, on the middle of the longest line, where there is room for it.
-void label(PictureCanvas& canvas, const std::vector<Polyline2>& lines, const std::string& text, double unit) {
-  const auto longest = std::max_element(
-      lines.begin(), lines.end(), [](const Polyline2& p, const Polyline2& q) { return length_of(p) < length_of(q); });
-  const TextStyle style{.size = 13 * unit, .colour = palette::kInk, .anchor = TextAnchor::kCentre};
-  const double wide = canvas.text_width(text, style) + 6 * unit;
-  if (longest == lines.end() || length_of(*longest) < 2 * wide) return;
-  double left = length_of(*longest) / 2;
-  for (std::size_t k = 1; k < longest->size(); ++k) {
-    const Pixel &a = (*longest)[k - 1], &b = (*longest)[k];
-    const double step = std::hypot(b.x - a.x, b.y - a.y);
-    if (step < left) {
-      left -= step;
-      continue;
-    }
-    const Pixel at{std::lerp(a.x, b.x, left / step), std::lerp(a.y, b.y, left / step)};
-    canvas.fill_rectangle(Mark::kCurve, {at.x - wide / 2, at.y - 8 * unit}, {at.x + wide / 2, at.y + 8 * unit},
-                          palette::kPaper.with_alpha(0.85));
-    canvas.text(Mark::kCurve, {at.x, at.y + style.size / 3}, text, style);
-    return;
   }
 }
 
@@ -227,19 +198,19 @@ PixelField2 IlluminationPainter2::field() const {
   return field;
 }
 
+// By logarithms: light spans decades, and one lamp does not lift what is around it.
 void IlluminationPainter2::draw_contours(PictureCanvas& canvas) const {
-  const PixelField2 pixels = field();
-  const Pixel origin = frame_.top_left();
+  const double low = contours_.front() / kBeyondLevels, high = contours_.back() * kBeyondLevels;
+  PixelField2 logs = field();
+  for (float& value : logs.values) value = static_cast<float>(std::log(std::clamp<double>(value, low, high)));
+  logs = smoothed_2(std::move(logs), kCellsBlended * logs.width / grid_.grid.nx);
+  std::vector<double> levels;
+  for (const double level : contours_) levels.push_back(std::log(level));
   const double size = letters(unit_);
-  for (const double level : contours_) {
-    std::vector<Polyline2> lines = contour_lines(pixels, level);
-    for (Polyline2& line : lines) line = moved(simplified_2(line, 0.3), origin);
-    for (const auto& [colour, wide] : {std::pair(palette::kInk.with_alpha(0.45), 2.6), std::pair(palette::kPaper, 1.1)})
-      for (const Polyline2& line : lines)
-        for (std::size_t k = 1; k < line.size(); ++k)
-          canvas.stroke(Mark::kCurve, line[k - 1], line[k], colour, wide * size);
-    label(canvas, lines, fmt::format("{:.6g}", level), size);
-  }
+  const std::vector<Contour2> contours = contour_set_2(logs, levels, kLeastContour * size);
+  std::vector<std::string> names;
+  for (const Contour2& contour : contours) names.push_back(fmt::format("{:.6g}", std::exp(contour.level)));
+  draw_contours_2(canvas, contours, names, logs, frame_.top_left(), size);
 }
 
 // Paper around the light, over what the plan draws there.
@@ -252,8 +223,8 @@ void IlluminationPainter2::draw_margins(PictureCanvas& canvas) const {
   canvas.fill_rectangle(Mark::kPaper, {to.x, from.y}, {wide, to.y}, palette::kPaper);
   draw_axes_2(canvas, frame_, size, length_unit_);
   const double room = std::min(190 * size, (to.x - from.x) / 4);
-  draw_scale_bar_2(canvas, frame_.pixels_per_length(), length_unit_,
-                   {.right = {to.x, to.y + 34 * size}, .room = room, .unit = size});
+  draw_scale_bar(canvas, frame_.pixels_per_length(), length_unit_,
+                 {.right = {to.x, to.y + 34 * size}, .room = room, .unit = size});
 }
 
 LightPicture2 illumination_picture_2(const PreparedScene2& prepared, const IlluminationGrid2& grid,

@@ -49,7 +49,8 @@ Raster toned_pixels_2(const IlluminationGrid2& grid, const LightPixels2& pixels,
 //   (1) the picture is the region of the grid and nothing else, but for margins around it where axes are asked for: the
 //       top row is the largest y, each cell is the same number of whole pixels, at least one
 //   (2) before tone mapping the pixels are those of LightPixels2 with the scene as walls; without a value: grey
-//   (3) contours run where the pixels of (2), the mean of all channels, have their level; not through walls
+//   (3) contours run where the pixels of (2), the mean of all channels, have their level, once what is finer than cells
+//       is blended (smoothed_2); they cross neither walls nor each other, and each has one label at most
 //
 // Throws UsageError when the grid has more cells along a side than a picture may have pixels.
 // COST: about 0.3 s for a picture of 1500 x 1200.

@@ -7,7 +7,7 @@
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/colour_map.h"
 #include "viewer/picture/palette.h"
-#include "viewer/picture/plane/stripes.h"
+#include "viewer/picture/seamless_fill.h"
 
 namespace hottel {
 namespace {
@@ -60,6 +60,7 @@ void ScenePicturePainter2::draw(PictureCanvas& canvas) const {
   const Mark mark = picture_.colouring ? Mark::kStripe : Mark::kEmitter;
   SceneSheet2::Ground ground;
   ground.faces = [&](std::span<const std::uint32_t> surfaces) {
+    draw_below(canvas, surfaces, stripes);
     for (const std::uint32_t s : surfaces)
       for (std::uint32_t run = runs_.begin(s); run < runs_.end(s); ++run)
         if (colours_[run]) draw_stripe(canvas, mark, run, stripes.stripe(run));
@@ -73,6 +74,20 @@ void ScenePicturePainter2::draw(PictureCanvas& canvas) const {
   draw_targets(canvas);
   if (picture_.sheet.has_axes) sheet_.draw_axes(canvas);
   draw_footer(canvas);
+}
+
+// Of the colours that stripes have in their middle.
+void ScenePicturePainter2::draw_below(PictureCanvas& canvas, std::span<const std::uint32_t> surfaces,
+                                      const Stripes2& stripes) const {
+  std::vector<ColouredPolygons> fills;
+  for (const std::uint32_t s : surfaces)
+    for (std::uint32_t run = runs_.begin(s); run < runs_.end(s); ++run) {
+      if (!colours_[run]) continue;
+      const std::array<Pixel, 4> stripe = stripes.stripe(run);
+      if (fills.empty() || fills.back().colour != *colours_[run]) fills.push_back({*colours_[run], {}});
+      fills.back().polygons.emplace_back(stripe.begin(), stripe.end());
+    }
+  fill_below(canvas, fills);
 }
 
 void ScenePicturePainter2::draw_stripe(PictureCanvas& canvas, Mark mark, std::uint32_t run,

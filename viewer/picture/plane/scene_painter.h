@@ -50,6 +50,7 @@ class ScenePicturePainter2 {
   void draw_targets(PictureCanvas& canvas) const;
   void draw_footer(PictureCanvas& canvas) const;
   std::optional<Colour> colour(std::uint32_t run) const;
+  void draw_below(PictureCanvas& canvas, std::span<const std::uint32_t> surfaces, const Stripes2& stripes) const;
   void draw_stripe(PictureCanvas& canvas, Mark mark, std::uint32_t run, const std::array<Pixel, 4>& stripe) const;
 
   const Scene2& scene_;

@@ -11,8 +11,8 @@
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/palette.h"
 #include "viewer/picture/plane/axes.h"
-#include "viewer/picture/plane/scale_bar.h"
 #include "viewer/picture/plane/solid_polygons.h"
+#include "viewer/picture/scale_bar.h"
 
 namespace hottel {
 namespace {
@@ -164,8 +164,8 @@ void SceneSheet2::draw_footer_paper(PictureCanvas& canvas) const {
 
 void SceneSheet2::draw_scale_bar(PictureCanvas& canvas) const {
   const double room = std::min(190 * unit_, (footer_right_ - footer_left_) / 4);
-  draw_scale_bar_2(canvas, frame_.pixels_per_length(), length_unit_,
-                   {.right = {footer_right_, footer_top() + 31 * unit_}, .room = room, .unit = unit_});
+  hottel::draw_scale_bar(canvas, frame_.pixels_per_length(), length_unit_,
+                         {.right = {footer_right_, footer_top() + 31 * unit_}, .room = room, .unit = unit_});
 }
 
 void SceneSheet2::draw_axes(PictureCanvas& canvas) const { draw_axes_2(canvas, frame_, unit_, length_unit_); }

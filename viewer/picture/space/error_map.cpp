@@ -49,6 +49,7 @@ std::string error_map_3(const MethodComparison3& comparison, const MethodResult&
   return naming_file(comparison.prepared().scene.file, [&] {
     RenderOptions3 options;
     options.shown = error_values_3(comparison, result);
+    options.has_outlines = true;
     return RenderedView3(comparison.prepared(), Granularity::kElement, comparison.required_solution(),
                          std::move(options))
         .file(format);

@@ -1,16 +1,20 @@
 #include "viewer/picture/space/grid_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "kernel/support/failure.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/colour_map.h"
+#include "viewer/picture/frame_axes.h"
 #include "viewer/picture/palette.h"
 #include "viewer/picture/png_file.h"
 #include "viewer/picture/raster.h"
+#include "viewer/picture/scale_bar.h"
 #include "viewer/picture/tone_curve.h"
 
 namespace hottel {
@@ -49,16 +53,90 @@ CellSize cell_size(const Grid3& grid, std::uint32_t wanted_width) {
   return {pixels_a_cell(width, grid.nu), pixels_a_cell(height, grid.nv)};
 }
 
-// Each cell in the colour that pixel(cell) gives it, and so many rows left below.
+// Each cell in the colour that pixel(cell) gives it.
 template <class Pixels>
-Raster cells_raster(const Grid3& grid, const CellSize& size, std::uint32_t footer, const Pixels& pixel) {
+Raster cells_raster(const Grid3& grid, const CellSize& size, const Pixels& pixel) {
   const std::uint32_t height = size.up * grid.nv;
-  Raster raster(size.across * grid.nu, height + footer);
+  Raster raster(size.across * grid.nu, height);
   for (std::uint32_t y = 0; y < height; ++y)
     for (std::uint32_t x = 0; x < raster.width; ++x)
       raster.pixels[std::size_t{y} * raster.width + x] =
           pixel(std::size_t{(height - 1 - y) / size.up} * grid.nu + x / size.across);
   return raster;
+}
+
+// A side of a grid as an axis: the coordinate of the scene that it runs along, else the way from the origin.
+struct GridAxis {
+  double begin = 0, end = 0;
+  std::string name;
+};
+
+GridAxis axis_along(const Point3& origin, const Vector3& side, const char* name, const std::string& length_unit) {
+  const auto named = [&](const char* axis) { return std::string(axis) + " [" + length_unit + "]"; };
+  const std::array<const Rational*, 3> at{&origin.x, &origin.y, &origin.z}, way{&side.x, &side.y, &side.z};
+  constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
+  for (std::size_t k = 0; k < 3; ++k)
+    if (*way[(k + 1) % 3] == 0 && *way[(k + 2) % 3] == 0)
+      return {to_double(*at[k]), to_double(Rational(*at[k] + *way[k])), named(kNames[k])};
+  return {0, length(side, 1), named(name)};
+}
+
+// Cells with what stands around them: axes and a scale bar, a bar of colours below.
+class GridSheet {
+ public:
+  GridSheet(const Grid3& grid, const GridPicture3& picture, const Raster& cells, bool has_bar)
+      : grid_(grid), picture_(picture), cells_(cells) {
+    const double width = cells.width;
+    unit_ = std::clamp(width / 800, picture.has_axes ? 0.6 : 0.35, 4.0);
+    const auto room = [&](double units, bool is_there) {
+      return is_there ? static_cast<std::uint32_t>(std::ceil(units * unit_)) : 0;
+    };
+    left_ = room(kLeft, picture.has_axes);
+    right_ = room(kRight, picture.has_axes);
+    top_ = room(kTop, picture.has_axes);
+    bottom_ = room(kBottom, picture.has_axes);
+    footer_ = room(kGridFooter, has_bar);
+  }
+
+  std::uint32_t width() const { return left_ + cells_.width + right_; }
+  std::uint32_t height() const { return top_ + cells_.height + bottom_ + footer_; }
+  void draw(PictureCanvas& canvas, const ShownValues* shown) const {
+    canvas.fill_rectangle(Mark::kPaper, {0, 0}, {canvas.width(), canvas.height()}, palette::kPaper);
+    canvas.image(Mark::kLight, from(), to(), cells_, false);
+    if (picture_.has_axes) draw_axes(canvas);
+    if (shown == nullptr) return;
+    const double margin = std::min(16 * unit_, canvas.width() / 12);
+    draw_legend(canvas, shown->scale, shown->title, {margin, height() - footer_ + 6 * unit_},
+                std::min(420 * unit_, canvas.width() - 2 * margin), unit_);
+  }
+
+ private:
+  static constexpr double kLeft = 78, kRight = 66, kTop = 34, kBottom = 62;
+
+  Pixel from() const { return {double(left_), double(top_)}; }
+  Pixel to() const { return {double(left_ + cells_.width), double(top_ + cells_.height)}; }
+  void draw_axes(PictureCanvas& canvas) const {
+    const GridAxis u = axis_along(grid_.origin, grid_.u, "u", picture_.length_unit);
+    const GridAxis v = axis_along(grid_.origin, grid_.v, "v", picture_.length_unit);
+    draw_frame_axes(canvas, {from(), to(), u.begin, u.end, v.begin, v.end, u.name, v.name}, unit_);
+    draw_scale_bar(
+        canvas, cells_.width / length(grid_.u, 1), picture_.length_unit,
+        {.right = {to().x, to().y + 34 * unit_}, .room = std::min(190 * unit_, cells_.width / 4.0), .unit = unit_});
+  }
+
+  const Grid3& grid_;
+  const GridPicture3& picture_;
+  const Raster& cells_;
+  double unit_ = 1;
+  std::uint32_t left_ = 0, right_ = 0, top_ = 0, bottom_ = 0, footer_ = 0;
+};
+
+std::string sheet_file(const Grid3& grid, const GridPicture3& picture, const Raster& cells, const ShownValues* shown) {
+  if (!picture.has_axes && shown == nullptr) return png_file(cells);
+  const GridSheet sheet(grid, picture, cells, shown != nullptr);
+  CairoCanvas canvas(PictureFormat::kPng, sheet.width(), sheet.height());
+  sheet.draw(canvas, shown);
+  return canvas.finish();
 }
 
 class GridPainter3 final : public LightPainter3 {
@@ -73,30 +151,21 @@ class GridPainter3 final : public LightPainter3 {
 }  // namespace
 
 std::string grid_picture_3(const IlluminationGrid3& light, const GridPicture3& picture) {
-  const CellSize size = cell_size(light.grid, picture.wanted_width);
   const ToneCurve tone(picture.tone, picture.exposure, light.values, light.channels);
-  return png_file(cells_raster(light.grid, size, 0, [&](std::size_t cell) {
+  const Raster cells = cells_raster(light.grid, cell_size(light.grid, picture.wanted_width), [&](std::size_t cell) {
     const auto value = std::span(light.values).subspan(cell * light.channels, light.channels);
     return pixel_of(std::isnan(value[0]) ? palette::kUnlitSolid : tone(value));
-  }));
+  });
+  return sheet_file(light.grid, picture, cells, nullptr);
 }
 
-std::string grid_picture_3(const Grid3& grid, const ShownValues& cells, std::uint32_t wanted_width) {
-  HOTTEL_REQUIRE(cells.elements.size() == std::size_t{grid.nu} * grid.nv);
-  const CellSize size = cell_size(grid, wanted_width);
-  const double width = size.across * grid.nu, unit = std::clamp(width / 800, 0.35, 4.0);
-  const auto footer = static_cast<std::uint32_t>(std::ceil(kGridFooter * unit));
-  Raster raster = cells_raster(grid, size, footer, [&](std::size_t cell) {
-    const std::optional<double>& value = cells.elements[cell];
-    return pixel_of(value ? scale_colour(cells.scale, *value) : palette::kUnlitSolid);
+std::string grid_picture_3(const Grid3& grid, const ShownValues& shown, const GridPicture3& picture) {
+  HOTTEL_REQUIRE(shown.elements.size() == std::size_t{grid.nu} * grid.nv);
+  const Raster cells = cells_raster(grid, cell_size(grid, picture.wanted_width), [&](std::size_t cell) {
+    const std::optional<double>& value = shown.elements[cell];
+    return pixel_of(value ? scale_colour(shown.scale, *value) : palette::kUnlitSolid);
   });
-  CairoCanvas canvas(raster);
-  const double top = raster.height - footer, margin = std::min(16 * unit, width / 12);
-  canvas.fill_rectangle(Mark::kPaper, {0, top}, {width, top + footer}, palette::kPaper);
-  draw_legend(canvas, cells.scale, cells.title, {margin, top + 6 * unit}, std::min(420 * unit, width - 2 * margin),
-              unit);
-  canvas.finish();
-  return png_file(raster);
+  return sheet_file(grid, picture, cells, &shown);
 }
 
 std::shared_ptr<const LightPainter3> grid_painter_3(const GridPicture3& picture) {

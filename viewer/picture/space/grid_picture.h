@@ -15,14 +15,18 @@ struct GridPicture3 {
   Tone tone = Tone::kLog;
   double exposure = 1;             // what the light is multiplied by; ToneCurve says relative to what
   std::uint32_t wanted_width = 0;  // pixels across, rounded to whole pixels a cell; 0: the longer side has about 800
+  bool has_axes = false;           // margins with axes along u and v, and a scale bar
+  std::string length_unit = "m";   // of coordinates
 };
 
 // Returns the bytes of a PNG: u to the right, v upwards, as long as they are; each cell is the same number of whole
-// pixels in the colour of its value, grey where it is in a solid.
+// pixels in the colour of its value, grey where it is in a solid. Axes are coordinates of the scene where a side of the
+// grid runs along one, else the way from the grid's origin.
 std::string grid_picture_3(const IlluminationGrid3& light, const GridPicture3& picture);
 
 // The same of values on a scale, one a cell, in place of the light, with a footer below that has bar, unit and range.
-std::string grid_picture_3(const Grid3& grid, const ShownValues& cells, std::uint32_t wanted_width);
+// Tone and exposure mean nothing.
+std::string grid_picture_3(const Grid3& grid, const ShownValues& shown, const GridPicture3& picture);
 
 // The same for a simulation to call.
 std::shared_ptr<const LightPainter3> grid_painter_3(const GridPicture3& picture);

@@ -22,10 +22,19 @@ Projection3::Projection3(const Camera3& camera) : width_(camera.width), height_(
   half_width_ = half_height_ * width_ / height_;
 }
 
+// The normals of the half spaces whose directions are in the picture.
+std::array<Direction3, 5> Projection3::inside() const {
+  return {forward_, half_width_ * forward_ + right_, half_width_ * forward_ - right_, half_height_ * forward_ + up_,
+          half_height_ * forward_ - up_};
+}
+
+Pixel Projection3::place(const Direction3& way, double out) const {
+  return {(dot(way, right_) / out / half_width_ + 1) * width_ / 2,
+          (1 - dot(way, up_) / out / half_height_) * height_ / 2};
+}
+
 PixelPolygon Projection3::picture(std::vector<Direction3> corners) const {
-  const std::array<Direction3, 5> inside{forward_, half_width_ * forward_ + right_, half_width_ * forward_ - right_,
-                                         half_height_ * forward_ + up_, half_height_ * forward_ - up_};
-  for (const Direction3& normal : inside) {
+  for (const Direction3& normal : inside()) {
     corners = cut_convex(
         corners, [&](const Direction3& d) { return dot(d, normal); },
         [](const Direction3& a, const Direction3& b, double t) { return a + t * (b - a); });
@@ -35,10 +44,21 @@ PixelPolygon Projection3::picture(std::vector<Direction3> corners) const {
   for (const Direction3& d : corners) {
     const double out = dot(d, forward_);
     if (!(out > 0)) return {};  // seen from the side
-    result.push_back(
-        {(dot(d, right_) / out / half_width_ + 1) * width_ / 2, (1 - dot(d, up_) / out / half_height_) * height_ / 2});
+    result.push_back(place(d, out));
   }
   return result;
+}
+
+std::optional<std::array<Pixel, 2>> Projection3::line(Direction3 from, Direction3 to) const {
+  for (const Direction3& normal : inside()) {
+    const double a = dot(from, normal), b = dot(to, normal);
+    if (a <= 0 && b <= 0) return std::nullopt;
+    if (a < 0) from = from + (a / (a - b)) * (to - from);
+    if (b < 0) to = to + (b / (b - a)) * (from - to);
+  }
+  const double out_from = dot(from, forward_), out_to = dot(to, forward_);
+  if (!(out_from > 0) || !(out_to > 0)) return std::nullopt;
+  return std::array{place(from, out_from), place(to, out_to)};
 }
 
 AffineValue3 Projection3::dot_with(const Direction3& m) const {

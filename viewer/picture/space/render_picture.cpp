@@ -14,15 +14,16 @@
 #include "viewer/picture/palette.h"
 #include "viewer/picture/png_file.h"
 #include "viewer/picture/raster.h"
-#include "viewer/picture/space/grown_polygon.h"
+#include "viewer/picture/space/tripod.h"
 
 namespace hottel {
 namespace {
 
 constexpr int kBands = 128;  // from black to white, or of a scale
-constexpr double kFooterUnits = 72;
-constexpr double kGrowth = 0.5, kLeastBand = 2;  // pixels
-constexpr double kLeastArea = 1e-9;              // square pixels, of shapes that are drawn
+constexpr double kFooterUnits = 72, kPen = 1.4;
+constexpr double kTitleOverBar = 1.6;  // how wide a title may be
+constexpr double kLeastBand = 2;       // pixels
+constexpr double kLeastArea = 1e-9;    // square pixels, of shapes that are drawn
 
 double footer_unit(const Camera3& camera) { return std::max(camera.width / 1000.0, 0.6); }
 
@@ -48,9 +49,8 @@ double diameter(const PixelPolygon& polygon) {
 }
 
 // Polygons of one colour together, to be filled at once.
-template <class Filled>
 struct FillsByColour {
-  std::vector<Filled> fills;
+  std::vector<ColouredPolygons> fills;
 
   void add(PixelPolygon polygon, const Colour& colour) {
     const double area = pixel_area_doubled_3(polygon);
@@ -88,10 +88,10 @@ RenderedView3::RenderedView3(const PreparedScene3& prepared, Granularity granula
     paint_.values = values_from_parents(table_.elements(), paint_.values, paint_.channels);
   if (options_.shading != Shading::kFlat) mesh_.emplace(prepared, table_);
   pixels_ = camera_view_3(seen(), camera_);
-  if (options_.shown)
+  if (options_.has_outlines) outlines_ = seen_outlines_3(prepared, camera_);
+  if (options_.shown || options_.has_axes)
     footer_ = static_cast<std::uint32_t>(std::ceil(kFooterUnits * footer_unit(camera_)));
-  else
-    tone_.emplace(options_.tone, options_.exposure, pixels_.values, pixels_.channels);
+  if (!options_.shown) tone_.emplace(options_.tone, options_.exposure, pixels_.values, pixels_.channels);
 }
 
 Colour RenderedView3::colour_of(std::span<const double> shown) const {
@@ -133,7 +133,8 @@ std::vector<double> RenderedView3::levels() const {
 }
 
 // The lines between bands are every, every second, ... level, so that a band is some pixels wide.
-void RenderedView3::add_bands(const SeenPart3& part, std::span<const double> levels, std::vector<Filled>& fills) const {
+void RenderedView3::add_bands(const SeenPart3& part, std::span<const double> levels,
+                              std::vector<ColouredPolygons>& fills) const {
   const std::vector<double> weight = weights();
   std::vector<double> value(paint_.channels);
   const auto add = [&](const PixelPolygon& band) {
@@ -157,7 +158,7 @@ void RenderedView3::add_bands(const SeenPart3& part, std::span<const double> lev
 }
 
 RenderedView3::Shapes RenderedView3::shapes() const {
-  FillsByColour<Filled> above, below;
+  FillsByColour above, below;
   const std::vector<double> level = levels();
   std::vector<double> value(paint_.channels);
   for_each_seen_part(seen(), camera_, [&](const SeenPart3& part) {
@@ -165,9 +166,9 @@ RenderedView3::Shapes RenderedView3::shapes() const {
     if (part.shade != nullptr) {
       part.shade->value(middle_of(part.outline), value);
       below.add(part.outline, colour_of_value(value));
-      std::vector<Filled> bands;
+      std::vector<ColouredPolygons> bands;
       add_bands(part, level, bands);
-      for (const Filled& band : bands) above.add(band.polygons[0], band.colour);
+      for (const ColouredPolygons& band : bands) above.add(band.polygons[0], band.colour);
       return;
     }
     const Colour colour = has_value ? colour_of_value(paint_.value(*part.element))
@@ -182,27 +183,31 @@ void RenderedView3::draw(PictureCanvas& canvas) const {
   const double right = camera_.width, bottom = camera_.height;
   canvas.fill_rectangle(Mark::kFloor, {0, 0}, {right, bottom}, colour_of(paint_.sky));
   const Shapes drawn = shapes();
-  std::vector<PixelPolygon> all;
-  for (const Filled& fill : drawn.below) all.insert(all.end(), fill.polygons.begin(), fill.polygons.end());
-  if (!all.empty()) {
-    canvas.begin_layer();
-    for (const Filled& fill : drawn.below) {
-      std::vector<PixelPolygon> grown;
-      for (const PixelPolygon& polygon : fill.polygons) grown.push_back(grown_polygon_3(polygon, kGrowth));
-      canvas.fill_all(Mark::kPaper, grown, fill.colour);
-    }
-    canvas.end_layer(all);
-  }
-  for (const Filled& fill : drawn.above) canvas.fill_all(Mark::kStripe, fill.polygons, fill.colour);
+  fill_below(canvas, drawn.below);
+  for (const ColouredPolygons& fill : drawn.above) canvas.fill_all(Mark::kStripe, fill.polygons, fill.colour);
+  draw_outlines(canvas);
   if (footer_ > 0) draw_footer(canvas);
+}
+
+void RenderedView3::draw_outlines(PictureCanvas& canvas) const {
+  const double pen = kPen * footer_unit(camera_);
+  for (const OutlineStroke3& line : outlines_) canvas.stroke(Mark::kEdge, line.from, line.to, palette::kInk, pen);
 }
 
 void RenderedView3::draw_footer(PictureCanvas& canvas) const {
   const double unit = footer_unit(camera_), wide = camera_.width, top = camera_.height;
   canvas.fill_rectangle(Mark::kPaper, {0, top}, {wide, top + footer_}, palette::kPaper);
   const double margin = std::min(16 * unit, wide / 12);
-  draw_legend(canvas, options_.shown->scale, options_.shown->title, {margin, top + 6 * unit},
-              std::min(420 * unit, wide - 2 * margin), unit);
+  double room = wide - 2 * margin;
+  if (options_.has_axes) {
+    const Tripod3 tripod(prepared_.scene, camera_, length_unit(prepared_.scene));
+    const double taken = tripod.width(canvas, unit);
+    tripod.draw(canvas, {wide - margin - taken, top + 6 * unit}, unit);
+    room = (room - taken - 2 * margin) / kTitleOverBar;
+  }
+  if (options_.shown && room > 0)
+    draw_legend(canvas, options_.shown->scale, options_.shown->title, {margin, top + 6 * unit},
+                std::min(420 * unit, room), unit);
 }
 
 std::string RenderedView3::png() const {
@@ -215,9 +220,10 @@ std::string RenderedView3::png() const {
                 : std::array<std::uint8_t, 3>{srgb_level(shown[0]), srgb_level(shown[1]), srgb_level(shown[2])};
       raster.pixels[std::size_t{y} * raster.width + x] = 0xFF000000u | level[0] << 16 | level[1] << 8 | level[2];
     }
-  if (footer_ > 0) {
+  if (footer_ > 0 || !outlines_.empty()) {
     CairoCanvas canvas(raster);
-    draw_footer(canvas);
+    draw_outlines(canvas);
+    if (footer_ > 0) draw_footer(canvas);
     canvas.finish();
   }
   return png_file(raster);

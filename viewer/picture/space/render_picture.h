@@ -11,9 +11,11 @@
 #include "geometry/space/prepared/element_table.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/picture_options.h"
+#include "viewer/picture/seamless_fill.h"
 #include "viewer/picture/shading.h"
 #include "viewer/picture/shown_values.h"
 #include "viewer/picture/space/camera_view.h"
+#include "viewer/picture/space/seen_outlines.h"
 #include "viewer/picture/tone_curve.h"
 
 namespace hottel {
@@ -25,6 +27,8 @@ struct RenderOptions3 {
   std::uint32_t wanted_width = 0;      // pixels across instead of the camera's, in its shape, where not 0
   Shading shading = Shading::kFlat;    // how values run over elements
   std::optional<ShownValues> shown{};  // instead of the light
+  bool has_outlines = false;           // over what is shown (seen_outlines_3)
+  bool has_axes = false;               // the axes and the box of the scene in the footer (Tripod3)
 };
 
 // The camera of a scene, or that of default_camera_3, with so many pixels across where that is not 0.
@@ -32,13 +36,15 @@ Camera3 camera_of_scene(const PreparedScene3& prepared, std::uint32_t wanted_wid
 
 // The picture of the scene's camera, or of default_camera_3.
 //
-//   (1) light has the size of the camera; a quantity on a scale has a footer below it, with bar, unit and range
+//   (1) light has the size of the camera; a quantity on a scale has a footer below it, with bar, unit and range, and so
+//       have axes
 //   (2) a PNG has the pixels of camera_view_3, toned; colours of a scale are averaged as light is
 //   (3) an SVG and a PDF have polygons, each in one colour, with the colours of the PNG: what hides what is decided
 //       exactly at any size. Where values are blended, bands of 1/128 of the way from black to white, or of the scale,
 //       have one colour each, or of more where they would be less than two pixels wide; the lines between them are
 //       straight, as the values' are. Nothing shines through between neighbours: all lies on polygons of what is seen
 //       that are half a pixel larger, within the border of all of them
+//   (4) outlines are lines over all that, without steps in a PNG
 class RenderedView3 {
  public:
   // Throws as camera_view_3 does. REQUIRES: the solution of the scene's matrix by that granularity, and values of its
@@ -63,11 +69,6 @@ class RenderedView3 {
   void draw(PictureCanvas& canvas) const;
 
  private:
-  struct Filled {
-    Colour colour;
-    std::vector<PixelPolygon> polygons;
-  };
-
   SeenScene3 seen() const { return {prepared_, table_, paint_, mesh_ ? &*mesh_ : nullptr}; }
   Colour colour_of(std::span<const double> shown) const;
   Colour colour_of_value(std::span<const double> value) const;
@@ -75,10 +76,11 @@ class RenderedView3 {
   std::vector<double> weights() const;
   // What is drawn, and what lies below it: each part of what is seen in one colour.
   struct Shapes {
-    std::vector<Filled> above, below;
+    std::vector<ColouredPolygons> above, below;
   };
   Shapes shapes() const;
-  void add_bands(const SeenPart3& part, std::span<const double> levels, std::vector<Filled>& fills) const;
+  void add_bands(const SeenPart3& part, std::span<const double> levels, std::vector<ColouredPolygons>& fills) const;
+  void draw_outlines(PictureCanvas& canvas) const;
   void draw_footer(PictureCanvas& canvas) const;
   std::string png() const;
 
@@ -90,6 +92,7 @@ class RenderedView3 {
   std::optional<SmoothMesh3> mesh_;
   PixelValues3 pixels_;
   std::optional<ToneCurve> tone_;  // of light
+  std::vector<OutlineStroke3> outlines_;
   std::uint32_t footer_ = 0;
 };
 

@@ -8,9 +8,9 @@
 
 #include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/visibility/convex_cut.h"
-#include "geometry/space/visibility/point_map.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
+#include "viewer/picture/space/eye_map.h"
 
 namespace hottel {
 namespace {
@@ -204,12 +204,7 @@ double Shade3::high(std::span<const double> weights) const {
 void for_each_seen_part(const SeenScene3& scene, const Camera3& camera,
                         const std::function<void(const SeenPart3&)>& take) {
   const PreparedScene3& prepared = scene.prepared;
-  if (const auto mesh = prepared.arrangement().solids().around(camera.eye))
-    throw RequestError("the camera's eye is in the solid '" + prepared.arrangement().solids().meshes()[*mesh].name +
-                       "'");
-  const Vector3 forward = camera.target - camera.eye;
-  const PointMap3 map =
-      map_from(prepared.blockers(), {.eye = camera.eye, .normal = Point3{forward.x, forward.y, forward.z}});
+  const PointMap3 map = eye_map_3(prepared, camera);
   const Projection3 projection(camera);
   Sides sides(scene, camera.eye, projection);
   for (const PointMap3::Fragment& fragment : map.fragments) {  // those of a face follow each other

@@ -1,4 +1,4 @@
-#include "viewer/picture/plane/scale_bar.h"
+#include "viewer/picture/scale_bar.h"
 
 #include <fmt/format.h>
 
@@ -19,8 +19,8 @@ double round_length(double limit) {
 
 }  // namespace
 
-void draw_scale_bar_2(PictureCanvas& canvas, double pixels_per_length, const std::string& length_unit,
-                      const ScaleBarPlace2& place) {
+void draw_scale_bar(PictureCanvas& canvas, double pixels_per_length, const std::string& length_unit,
+                    const ScaleBarPlace& place) {
   const double limit = place.room / pixels_per_length, unit = place.unit;
   if (!std::isfinite(limit) || !(limit > 1e-300)) return;
   const double length = round_length(limit), pixels = length * pixels_per_length;
