@@ -21,7 +21,7 @@ GENERATED = {
     "star": (100, 300), "pillars": (200, 500), "plates": (60, 200),
     "room-boxes": (8, 16), "room-stacked": (8, 16), "room-touching": (8, 14), "room-floating": (8, 16),
     "room-turned": (6, 12), "room-piercing": (6, 10), "street-blocks": (10, 20), "town": (2, 4), "terrain": (200, 300),
-    "nested-cubes": (6, 12), "triangle-soup": (20, 40), "furnished-room": (348, 684), "flat": (350, 720),
+    "nested-cubes": (6, 12), "triangle-soup": (20, 40), "furnished-room": (348, 348), "flat": (350, 350),
     "lattice-boxes": (8, 16),
 }
 

@@ -33,7 +33,7 @@ constexpr double kSecondsPerMixed = 1e-4, kSecondsPerBetween = 2e-5;
 // of which is asked what stands before the sky.
 constexpr std::size_t kMostDrawn = 20000, kMostAsked = 1000, kMostUnderSky = 40;
 // So many draws are enough where what they measure costs that part of all, or so many seconds; and at most.
-constexpr double kUsualDraws = 8, kEnoughOfAll = 0.04, kEnoughSeconds = 0.2;
+constexpr double kUsualDraws = 8, kEnoughOfAll = 0.03, kEnoughSeconds = 0.2;
 constexpr std::size_t kMostDraws = 200;
 constexpr double kGoldenPart = 0.6180339887498949;
 
@@ -44,12 +44,6 @@ struct Pair {
 double plain_cost(const Pair& pair) {
   const double corners = pair.b->patch.is_sky() ? 4 : static_cast<double>(pair.b->patch.corners.size());
   return kSecondsOfAPair + kSecondsOfCorners * static_cast<double>(pair.a->patch.corners.size()) * corners;
-}
-
-double looked_at(const PairMeasure3& pair) {
-  double seconds = pair.nodes * kSecondsPerNode;
-  for (int tier = 0; tier < 3; ++tier) seconds += static_cast<double>(pair.signs.by_tier[tier]) * kSecondsPerSign[tier];
-  return seconds;
 }
 
 // Pairs, each with what it is thought to cost.
@@ -189,10 +183,11 @@ class Sampling {
     PairRequest3 request{.share = shares_.share(*pair.a, *pair.b), .effort = Effort3::kUsual};
     const auto measure = [&] { return prepared_.measurer().measure(pair.a->patch, pair.b->patch, request); };
     const PairMeasure3 usual = measure();
-    double cost = plain_cost(pair) + looked_at(usual);
+    const double cost = plain_cost(pair) + seconds_of_looks(usual.nodes, usual.signs);
     if (usual.problem.empty()) return cost;
     request.effort = Effort3::kAll;
-    return cost + looked_at(measure());
+    const PairMeasure3 more = measure();
+    return cost + seconds_of_looks(more.nodes, more.signs);
   }
 
   const PreparedScene3& prepared_;
@@ -202,6 +197,12 @@ class Sampling {
 };
 
 }  // namespace
+
+double seconds_of_looks(std::uint64_t nodes, const SignCounts& signs) {
+  double seconds = static_cast<double>(nodes) * kSecondsPerNode;
+  for (int tier = 0; tier < 3; ++tier) seconds += static_cast<double>(signs.by_tier[tier]) * kSecondsPerSign[tier];
+  return seconds;
+}
 
 SampledCost3 sampled_cost(const PreparedScene3& prepared, bool wants_sky) {
   return Sampling(prepared).result(wants_sky);

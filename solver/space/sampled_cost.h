@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "geometry/space/prepared/prepared_scene.h"
+#include "kernel/determinant.h"
 
 namespace hottel {
 
@@ -19,6 +21,9 @@ struct SampledCost3 {
   double sampling = 0;          // of what was measured to tell the others
   std::size_t measured = 0;     // pairs, those with the sky among them
 };
+
+// What nodes of integrals and signs, by the tiers that settled them, take. [s, one core]
+double seconds_of_looks(std::uint64_t nodes, const SignCounts& signs);
 
 // Draws pairs by fixed seeds, more often those between which more surfaces may stand, and measures some: a few per cent
 // of what all seem to cost, or some tenths of a second, whichever is less; but two at the least.
