@@ -183,11 +183,11 @@ class Sampling {
     PairRequest3 request{.share = shares_.share(*pair.a, *pair.b), .effort = Effort3::kUsual};
     const auto measure = [&] { return prepared_.measurer().measure(pair.a->patch, pair.b->patch, request); };
     const PairMeasure3 usual = measure();
-    const double cost = plain_cost(pair) + seconds_of_looks(usual.nodes, usual.signs);
+    const double cost = plain_cost(pair) + seconds_of_looks_3(usual.nodes, usual.signs);
     if (usual.problem.empty()) return cost;
     request.effort = Effort3::kAll;
     const PairMeasure3 more = measure();
-    return cost + seconds_of_looks(more.nodes, more.signs);
+    return cost + seconds_of_looks_3(more.nodes, more.signs);
   }
 
   const PreparedScene3& prepared_;
@@ -198,7 +198,7 @@ class Sampling {
 
 }  // namespace
 
-double seconds_of_looks(std::uint64_t nodes, const SignCounts& signs) {
+double seconds_of_looks_3(std::uint64_t nodes, const SignCounts& signs) {
   double seconds = static_cast<double>(nodes) * kSecondsPerNode;
   for (int tier = 0; tier < 3; ++tier) seconds += static_cast<double>(signs.by_tier[tier]) * kSecondsPerSign[tier];
   return seconds;

@@ -23,7 +23,7 @@ struct SampledCost3 {
 };
 
 // What nodes of integrals and signs, by the tiers that settled them, take. [s, one core]
-double seconds_of_looks(std::uint64_t nodes, const SignCounts& signs);
+double seconds_of_looks_3(std::uint64_t nodes, const SignCounts& signs);
 
 // Draws pairs by fixed seeds, more often those between which more surfaces may stand, and measures some: a few per cent
 // of what all seem to cost, or some tenths of a second, whichever is less; but two at the least.

@@ -25,7 +25,7 @@ double factors_of(const SampledCost3& cost) { return cost.pairs + cost.sky; }
 double looks_of(const Scene3& scene) {
   ExchangeReport3 report;
   exact_exchange(prepare(scene), {.wants_visibility = false}, &report);
-  return seconds_of_looks(report.nodes, report.signs);
+  return seconds_of_looks_3(report.nodes, report.signs);
 }
 
 TEST(SampledCost, ExtrapolatesToAllPairs) {
