@@ -175,7 +175,7 @@ class Sampling {
   // Whether so many draws are enough: the fewer the more they cost.
   static bool is_enough(std::size_t draws, double spent, double all) {
     const double part = spent / std::min(kEnoughSeconds, kEnoughOfAll * all);
-    return draws > 1 && part >= 1 && part * static_cast<double>(draws) >= kUsualDraws;
+    return part >= 1 && part * static_cast<double>(draws) >= kUsualDraws;
   }
 
   // What is looked at for a pair. More is tried where that does not come within the tolerance.

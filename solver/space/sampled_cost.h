@@ -26,7 +26,7 @@ struct SampledCost3 {
 double seconds_of_looks_3(std::uint64_t nodes, const SignCounts& signs);
 
 // Draws pairs by fixed seeds, more often those between which more surfaces may stand, and measures some: a few per cent
-// of what all seem to cost, or some tenths of a second, whichever is less; but two at the least.
+// of what all seem to cost, or some tenths of a second, whichever is less; but one at the least.
 // wants_sky: whether elements see the sky at all. COST: as `sampling` says, and some 10 microseconds for each of up to
 // a thousand pairs.
 SampledCost3 sampled_cost(const PreparedScene3& prepared, bool wants_sky);

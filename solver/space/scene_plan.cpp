@@ -130,7 +130,8 @@ Plan plan_scene(const PreparedScene3& prepared, const PlanRequest& request, SkyB
   PlanDraft draft(scene, request, {.one = "polygon", .across = "across polygons"});
   draft.add(Plan::kExchange, !is_empty,
             fmt::format("{}, about {} pairs that face each other", counted(faces.rows(), "row"), short_count(pairs)),
-            "the scene is empty", static_cast<double>(scene.polygons.size()) * kSecondsPerPolygon + plain);
+            "the scene is empty",
+            static_cast<double>(scene.polygons.size()) * kSecondsPerPolygon + plain + cost.sampling);
   draft.add(Plan::kOcclusion, hides, draft.count_text(scene.surfaces.size()) + " that may hide each other, or the sky",
             is_empty  ? "the scene is empty"
             : is_room ? "one convex room: nothing can hide anything"
