@@ -31,10 +31,10 @@ namespace {
 
 const std::map<std::string, PlotX> kPlotX{
     {"time", PlotX::kTime}, {"parameter", PlotX::kParameter}, {"elements", PlotX::kElements}};
-const std::map<std::string, PlotY> kPlotY{{"max", PlotY::kMaxError},
-                                          {"rms", PlotY::kRmsError},
-                                          {"radiosity", PlotY::kRadiosityError},
-                                          {"faces", PlotY::kFaceError}};
+const std::map<std::string, ErrorKind> kPlotY{{"max", ErrorKind::kMaxFactor},
+                                              {"rms", ErrorKind::kRmsFactor},
+                                              {"radiosity", ErrorKind::kRadiosity},
+                                              {"faces", ErrorKind::kFaceRadiosity}};
 
 template <class Value>
 CLI::IsMember one_of(const std::map<std::string, Value>& names) {
@@ -69,7 +69,7 @@ void require_effect(const CompareOptions& options, const MethodCatalogue<Prepare
     has_foreign = has_foreign || is_foreign(method->info().name);
     has_parameter = has_parameter || method->info().parameter > 0;
   }
-  if (options.plot_x == PlotX::kElements || options.plot_y == PlotY::kFaceError)
+  if (options.plot_x == PlotX::kElements || options.plot_y == ErrorKind::kFaceRadiosity)
     throw UsageError("elements along x and errors of faces along y are of --divide");
   if (options.plot_x == PlotX::kParameter && !has_parameter)
     throw UsageError("--plot-x parameter is of methods with rays, points or pixels: none of these has any");
@@ -97,9 +97,28 @@ void require_effect(const CompareOptions& options, const MethodCatalogue<Prepare
 // What the methods came to, without their matrices.
 struct Outcome {
   std::vector<MethodResult> results;
+  std::vector<std::string> told;  // those whose notes were told as they came
   std::vector<ExplainedPair> worst;
   std::string map;  // bytes of errors.png
 };
+
+// Judges what others computed, and tells what is wrong with it as it is found out.
+template <class Comparison>
+void judge_and_tell(const Comparison& comparison, double beyond, MethodResult& result, const Streams& streams,
+                    const std::function<void(double)>& progress) {
+  const auto tell = [&](const std::string& sentence) { streams.note(result.info.name + ": " + sentence); };
+  std::ranges::for_each(result.notes, tell);
+  std::size_t told = result.notes.size();
+  add_verdict(comparison, beyond, result,
+              {.on_laws =
+                   [&](const Verdict& verdict) {
+                     const std::vector<std::string> sentences = law_sentences(verdict);
+                     std::ranges::for_each(sentences, tell);
+                     told += sentences.size();
+                   },
+               .progress = progress});
+  std::for_each(result.notes.begin() + static_cast<std::ptrdiff_t>(told), result.notes.end(), tell);
+}
 
 // Runs one method after the other. A matrix is looked at from all sides here, then dropped.
 template <class Kind, class SomeMethods>
@@ -110,18 +129,28 @@ Outcome run_all(const typename Kind::Comparison& comparison, const SomeMethods& 
   Outcome outcome;
   std::set<std::string> slow;  // families that have taken too long
   for (std::size_t k = 0; k < methods.size(); ++k) {
-    if (progress) progress(static_cast<double>(k) / static_cast<double>(methods.size()));
+    // Of each method half is to run it, and half to judge it.
+    const auto part_of = [&, k](double begin) -> std::function<void(double)> {
+      if (!progress) return {};
+      return [&, k, begin](double part) {
+        progress((static_cast<double>(k) + begin + part / 2) / static_cast<double>(methods.size()));
+      };
+    };
     const auto& [name, curve, method] = methods[k];
     if (slow.contains(curve)) {
       streams.note(name + " is left out: " + curve + " has taken longer than --at-most already");
       continue;
     }
-    MethodResult result = run(comparison, methods[k], options);
+    if (progress) part_of(0)(0);
+    MethodResult result = run(comparison, methods[k], options, part_of(0));
     if (options.at_most > 0 && result.timing.median > options.at_most) slow.insert(curve);
     std::ranges::move(explained_worst_pairs(explainer, comparison.exact(), result, options.worst),
                       std::back_inserter(outcome.worst));
     if (name == options.map) outcome.map = error_map(comparison, result);
-    add_verdict(comparison, options.beyond.value_or(kBeyond), result);
+    if (result.report.written) {
+      judge_and_tell(comparison, options.beyond.value_or(kBeyond), result, streams, part_of(0.5));
+      outcome.told.push_back(name);
+    }
     result.matrix = {};
     result.solution.reset();
     outcome.results.push_back(std::move(result));
@@ -165,8 +194,6 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
     throw RequestError(options.scene + ": --map draws errors of the light, and there is none to compare: " +
                        comparison.why_no_solution());
   Outcome outcome = run_all<Kind>(comparison, methods, options, streams);
-  const std::vector<WorkCurve> curves = work_curves(outcome.results);
-  const std::vector<WorkReading> readings = read_off(curves, kErrorsReadOff);
   std::vector<std::string> taken = family_names(methods_there_are);
   for (const auto& method : methods) taken.push_back(method.curve);
   for (const NamedMethod& file : radiosity_files) {
@@ -188,11 +215,11 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
       });
   if (is_of_radiosities)
     streams.note("the plot is of errors of radiosities, which all have: --plot-y max draws those of view factors");
-  const LogPlot plot =
-      comparison_plot(outcome.results,
-                      {options.plot_x.value_or(PlotX::kTime),
-                       options.plot_y.value_or(is_of_radiosities ? PlotY::kRadiosityError : PlotY::kMaxError)},
-                      "What accuracy costs: " + stem, size_text(comparison.exact()));
+  const ErrorKind error = options.plot_y.value_or(is_of_radiosities ? ErrorKind::kRadiosity : ErrorKind::kMaxFactor);
+  const std::vector<WorkCurve> curves = work_curves(outcome.results, error);
+  const std::vector<WorkReading> readings = read_off(curves, kErrorsReadOff);
+  const LogPlot plot = comparison_plot(outcome.results, {options.plot_x.value_or(PlotX::kTime), error},
+                                       "What accuracy costs: " + stem, size_text(comparison.exact()));
   std::vector<std::string> light;  // what is said of it
   if (grid) {
     const JudgedGrid judged = naming_file(
@@ -209,6 +236,8 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
                                 comparison.exact_solution() ? "" : comparison.why_no_solution(),
                                 outcome.results,
                                 readings,
+                                error,
+                                outcome.told,
                                 options.grid_file,
                                 light};
   csv.write(compare_csv(outcome.results));

@@ -165,10 +165,10 @@ ExitCode compare_divided_in(const CompareOptions& options, const typename Kind::
     drawn.push_back(each.result);
     if (each.result.info.name == kExactFamily) drawn.back().info.family = kDividing;
   }
-  LogPlot plot =
-      comparison_plot(drawn, {options.plot_x.value_or(PlotX::kElements), options.plot_y.value_or(PlotY::kFaceError)},
-                      "What dividing gives: " + std::filesystem::path(options.scene).stem().string(),
-                      "against the exact factors of " + std::to_string(options.divide.back()) + " elements a surface");
+  LogPlot plot = comparison_plot(
+      drawn, {options.plot_x.value_or(PlotX::kElements), options.plot_y.value_or(ErrorKind::kFaceRadiosity)},
+      "What dividing gives: " + std::filesystem::path(options.scene).stem().string(),
+      "against the exact factors of " + std::to_string(options.divide.back()) + " elements a surface");
   for (std::size_t k = 0; k < plot.curves.size(); ++k)
     if (plot.curves[k].name == kDividing) plot.emphasised = static_cast<int>(k);
   csv.write(divide_csv(results));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -44,7 +45,7 @@ struct CompareOptions {
   std::optional<double> beyond;
   std::string map, grid_file;
   std::optional<PlotX> plot_x;
-  std::optional<PlotY> plot_y;
+  std::optional<ErrorKind> plot_y;
   std::vector<std::uint32_t> divide;  // elements of each surface, ascending; empty: as the scene says
   std::optional<std::string> tolerance;
   GuaranteeOption guarantee;
@@ -146,10 +147,11 @@ Methods<Prepared> methods_to_run(const MethodCatalogue<Prepared>& catalogue, con
 // Runs a method, called as asked for. What is read from a file has no time: what it takes to read says nothing of what
 // it took to compute. Throws RequestError naming scene and method, InputError where a file has no pair to judge.
 template <class Comparison, class Method>
-MethodResult run(const Comparison& comparison, const Method& compared, const CompareOptions& options) {
+MethodResult run(const Comparison& comparison, const Method& compared, const CompareOptions& options,
+                 const std::function<void(double)>& progress = {}) {
   const bool is_file = family_of_method(compared.method->info().name) == "file";
   try {
-    MethodResult result = comparison.run(*compared.method, is_file ? 1 : options.repeat);
+    MethodResult result = comparison.run(*compared.method, is_file ? 1 : options.repeat, progress);
     if (result.report.written && result.errors.pairs == 0 && comparison.exact().entry_count() > 0) {
       const std::string problem = "holds no factor of any face: there is nothing to judge";
       if (is_file) throw InputError({result.info.reference, 0}, problem);

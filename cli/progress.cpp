@@ -23,6 +23,10 @@ void write_to_stderr(const std::string& text) {
   [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
+constexpr const char* kWiped = "\r\033[K";
+
+std::atomic<int> bars_drawn{0};
+
 }  // namespace
 
 std::string progress_line(const std::string& what, double fraction, double seconds_so_far) {
@@ -38,7 +42,13 @@ Progress::Progress(std::string what, bool is_shown, double total)
     : what_(std::move(what)), is_shown_(is_shown), total_(total) {}
 
 Progress::~Progress() {
-  if (is_drawn_) write_to_stderr("\r\033[K");
+  if (!is_drawn_) return;
+  write_to_stderr(kWiped);
+  --bars_drawn;
+}
+
+void Progress::make_room() {
+  if (bars_drawn > 0) write_to_stderr(kWiped);
 }
 
 bool Progress::is_terminal() { return ::isatty(STDERR_FILENO) == 1; }
@@ -61,7 +71,7 @@ void Progress::draw_when_due(double fraction) {
   const long now = static_cast<long>(seconds * 1000);
   long due = next_draw_ms_.load(std::memory_order_relaxed);
   if (now < due || !next_draw_ms_.compare_exchange_strong(due, now + 100)) return;
-  is_drawn_ = true;
+  if (!is_drawn_.exchange(true)) ++bars_drawn;
   write_to_stderr(fmt::format("\r{}\033[K", progress_line(what_, fraction, seconds)));
 }
 

@@ -24,6 +24,9 @@ class Progress {
   void update(double fraction);     // fraction done, 0 to 1
   void advance(double amount = 1);  // so much more of the total is done
 
+  // Wipes the line of a bar, so that a remark has it. The bar comes again with its next tenth of a second.
+  static void make_room();
+
   // Returns true when stderr is a terminal.
   static bool is_terminal();
 

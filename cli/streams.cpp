@@ -28,6 +28,7 @@ void Streams::write(const std::string& option, std::string_view text) const {
 
 void Streams::note(std::string_view text) const {
   if (is_quiet_ || text.empty()) return;
+  Progress::make_room();
   print(std::string(text) + (text.back() == '\n' ? "" : "\n"));
 }
 

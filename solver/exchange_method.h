@@ -1,6 +1,7 @@
 // What all ways to compute view factors have in common, exact or approximate, in whatever dimension.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -25,6 +26,7 @@ namespace hottel {
 //       an element borders the open space the sky gets max(0, 1 - the sum of its other factors). So the row defect
 //       shows all that is wrong with the sum of a row inside closed walls, and of one in the open whether it sums to
 //       more than 1
+//   (7) factors_of_pairs(), where there are any, are the entries of compute() by elements, bit for bit
 template <class Prepared>
 class ExchangeMethod {
  public:
@@ -36,6 +38,13 @@ class ExchangeMethod {
   // passes on what the request's progress throws.
   virtual ExchangeMatrix compute(const Prepared& prepared, const ExchangeRequest& request,
                                  MethodReport& report) const = 0;
+
+  // The factors F(from, to) of two different elements, of which the first has a row, for several threads at once; one
+  // that is not above 0 is no entry. Nothing of a method whose factors depend on more than the two elements and what
+  // stands between them. REQUIRES that the method and `prepared` outlive what is returned. COST: linear, and then what
+  // the method takes for each pair that is asked for.
+  using FactorsOfPairs = std::function<double(std::uint32_t from, std::uint32_t to)>;
+  virtual FactorsOfPairs factors_of_pairs(const Prepared&) const { return nullptr; }
 
   // True iff rows of faces and groups are put together from those of the elements that the scene asks for: then the
   // scene is to be prepared with them, whatever rows are asked for.

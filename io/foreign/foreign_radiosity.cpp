@@ -1,5 +1,8 @@
 #include "io/foreign/foreign_radiosity.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -47,9 +50,16 @@ std::optional<std::uint32_t> element_named(const std::unordered_map<std::string,
                    near_name_hints(name, known));
 }
 
-void require_all(const std::string& file, const ExchangeMatrix& matrix,
+// Throws InputError naming the channels of which nothing is given, else the elements that lack some.
+void require_all(const std::string& file, const ExchangeMatrix& matrix, const std::vector<std::string>& channels,
                  const std::vector<std::vector<char>>& is_given) {
-  std::vector<std::string> missing;
+  std::vector<std::string> none, missing;
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    if (std::ranges::find_if(is_given[c], [](char given) { return given != 0; }) == is_given[c].end())
+      none.push_back(channels[c]);
+  if (!none.empty() && none.size() < channels.size())
+    throw InputError({file, 0}, (none.size() == 1 ? "lacks the channel " : "lacks the channels ") + listed_names(none) +
+                                    ": the scene has " + fmt::format("{}", fmt::join(channels, ", ")));
   for (std::uint32_t i = 0; i < matrix.size(); ++i)
     if (matrix.has_row(i) &&
         std::any_of(is_given.begin(), is_given.end(), [i](const auto& channel) { return channel[i] == 0; }))
@@ -73,7 +83,7 @@ ForeignRadiosities read_foreign_radiosities(const std::filesystem::path& file, c
              radiosity = columns.find("radiosity");
   if (!has_head || !face || !radiosity) throw InputError({name, 1}, "needs the columns 'face' and 'radiosity'");
   if (!channel && channels.size() > 1)
-    throw InputError({name, 1}, "needs a column 'channel': the scene has r, g and b");
+    throw InputError({name, 1}, fmt::format("needs a column 'channel': the scene has {}", fmt::join(channels, ", ")));
 
   std::unordered_map<std::string, std::uint32_t> index;
   for (std::uint32_t i = 0; i < matrix.size(); ++i)
@@ -94,13 +104,14 @@ ForeignRadiosities read_foreign_radiosities(const std::filesystem::path& file, c
     if (channels.size() > 1)
       c = static_cast<std::size_t>(std::find(channels.begin(), channels.end(), fields[*channel]) - channels.begin());
     if (c == channels.size())
-      throw InputError(csv.where(), "the scene has no channel " + quoted_name(fields[*channel]) + ", but r, g and b");
+      throw InputError(csv.where(), fmt::format("the scene has no channel {}, but {}", quoted_name(fields[*channel]),
+                                                fmt::join(channels, ", ")));
     if (is_given[c][*element]++)
       throw InputError(csv.where(),
                        "the radiosity of " + quoted_name(matrix.elements()[*element].name) + " is given twice");
     result.by_channel[c][*element] = numbers.read(fields[*radiosity], csv.where().line);
   }
-  require_all(name, matrix, is_given);
+  require_all(name, matrix, channels, is_given);
   result.digits = numbers.digits();
   return result;
 }

@@ -119,15 +119,17 @@ std::string comparison_text(const ComparisonReport& report) {
                         report.reference.max);
   if (!report.why_no_radiosities.empty()) text += "no radiosities are compared: " + report.why_no_radiosities + "\n";
   std::vector<std::pair<std::string, std::string>> notes;  // what is said, of which methods
-  for (const MethodResult& each : report.results)
+  for (const MethodResult& each : report.results) {
+    if (std::ranges::find(report.told, each.info.name) != report.told.end()) continue;
     for (const std::string& note : each.notes) {
       auto place = std::find_if(notes.begin(), notes.end(), [&](const auto& other) { return other.first == note; });
       if (place == notes.end()) place = notes.insert(place, {note, ""});
       place->second += (place->second.empty() ? "" : ", ") + each.info.name;
     }
+  }
   for (const auto& [note, whose] : notes) text += whose + ": " + note + "\n";
   for (const std::string& sentence : report.light) text += report.grid_file + ": " + sentence + "\n";
-  for (const WorkReading& reading : report.readings) text += to_sentence(reading) + "\n";
+  for (const WorkReading& reading : report.readings) text += to_sentence(reading, report.errors_read) + "\n";
   return text;
 }
 

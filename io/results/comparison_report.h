@@ -23,9 +23,11 @@ struct ComparisonReport {
   const ExchangeMatrix& exact;     // of the elements that all methods have
   std::string why_no_radiosities;  // empty where there are exact ones
   std::span<const MethodResult> results;
-  std::span<const WorkReading> readings;  // times at which errors are reached
-  std::string grid_file{};                // light of others on a grid; empty: none
-  std::span<const std::string> light{};   // what is said of it
+  std::span<const WorkReading> readings;          // times at which errors are reached
+  ErrorKind errors_read = ErrorKind::kMaxFactor;  // of the readings
+  std::span<const std::string> told{};   // methods whose notes the reader has seen already: the text leaves them out
+  std::string grid_file{};               // light of others on a grid; empty: none
+  std::span<const std::string> light{};  // what is said of it
 };
 
 // Returns the report as one JSON object and a final newline. What is not known is null; what is no UTF-8 in

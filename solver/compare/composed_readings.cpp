@@ -157,9 +157,7 @@ std::optional<Ratio> Predictions::ratio_of(const Reading& reading) const {
 }
 
 bool Predictions::may_go_to_sky(const JudgedPair& pair, double ratio) const {
-  double rest = 1;
-  for (const JudgedPair& other : judged_.row(pair.from))
-    if (other.to != pair.to) rest -= other.value;
+  const double rest = judged_.rest_of_row(pair);
   return judged_.agrees(pair, 0) || judged_.agrees(pair, ratio * pair.exact) || judged_.agrees(pair, rest) ||
          judged_.agrees(pair, std::max(0.0, rest));
 }

@@ -219,10 +219,7 @@ Hypothesis suppose_sky_missing(const JudgedPairs& judged) {
 Hypothesis suppose_sky_is_rest(const JudgedPairs& judged) {
   Hypothesis result = hypothesis(Fault::kSkyIsRest, judged, [&](const JudgedPair& pair) -> std::optional<double> {
     if (pair.to != judged.exact().sky()) return std::nullopt;
-    double rest = 1;
-    for (const JudgedPair& other : judged.row(pair.from))
-      if (other.to != pair.to) rest -= other.value;
-    return rest;
+    return judged.rest_of_row(pair);
   });
   result.words = "the sky gets what the rows lack of 1, and so their errors";
   return result;

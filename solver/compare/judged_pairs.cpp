@@ -43,4 +43,11 @@ bool JudgedPairs::agrees(const JudgedPair& pair, double with) const {
   return rest <= tolerance(pair.value) && rest <= pair.error() / 2;
 }
 
+double JudgedPairs::rest_of_row(const JudgedPair& pair) const {
+  double rest = 1;
+  for (const JudgedPair& other : row(pair.from))
+    if (other.to != pair.to) rest -= other.value;
+  return rest;
+}
+
 }  // namespace hottel

@@ -64,6 +64,8 @@ class JudgedPairs {
   // Whether `with` would explain the value of a pair: it is within tolerance() of it, and at most half as far away as
   // the exact factor is.
   bool agrees(const JudgedPair& pair, double with) const;
+  // What the other factors of the file leave of 1 in the row of a pair.
+  double rest_of_row(const JudgedPair& pair) const;
 
  private:
   const ExchangeMatrix* exact_;

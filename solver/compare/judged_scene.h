@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,13 +12,15 @@
 
 namespace hottel {
 
-// Factors of the elements of a scene by a method that is not exact, and its name.
-struct ApproximateFactors {
-  std::string method;
-  ExchangeMatrix matrix;
+// A method that is not exact and computes the factor of each pair of elements by itself, and its name.
+struct PairwiseMethod {
+  std::string name;
+  std::function<double(std::uint32_t from, std::uint32_t to)> factor;  // REQUIRES that the first has a row
+  bool takes_visibility = false;                                       // is to be multiplied by the exact one
 };
 
 inline constexpr std::uint32_t kMostApproximated = 2000;  // elements
+inline constexpr double kNotBehind = 1e-7;
 
 // How the factor of two elements may be taken from points of them, whatever stands between.
 enum class PointRule : unsigned char {
@@ -42,6 +45,11 @@ PairPlace pair_place(const Vector& way, const Vector& from_normal, const Vector&
   return {distance, dot(from_normal, way) / distance, -dot(to_normal, way) / distance};
 }
 
+// Whether something before a plane as far as from `least` to `most` has a part behind it, or lies in it.
+inline bool is_behind_in_part(double least, double most, double extent) {
+  return least < -kNotBehind * extent || most < kNotBehind * extent;
+}
+
 // A scene whose factors are judged. Hypotheses that follow from more than the numbers ask it; they know of no
 // dimension. Asked only when some pair is off. For several threads at once.
 class JudgedScene {
@@ -62,12 +70,17 @@ class JudgedScene {
   // Nothing where one of them has no extent.
   virtual std::optional<PairPlace> place_of(std::uint32_t from, std::uint32_t to) const = 0;
 
-  // Returns factors of the same elements by methods that are cheap and not exact; none of scenes that are large.
-  virtual std::vector<ApproximateFactors> approximate_factors() const = 0;
+  // Methods that other programs use as well. They live as long as this. COST: linear.
+  virtual std::vector<PairwiseMethod> pairwise_methods() const = 0;
 
-  // Returns what rays count that leave evenly in all directions, not by the cosine, to about a hundredth of what a
-  // hundred rays scatter.
-  virtual ExchangeMatrix uniform_factors() const = 0;
+  // Returns what `rays` counted for each element would be, on an average, if they left evenly in all directions and not
+  // by the cosine: a power of two of them, spread by Sobol.
+  virtual ExchangeMatrix uniform_factors(std::uint32_t rays) const = 0;
+
+  // False where all of `to` lies before `from`, in part farther than kNotBehind of the smaller extent, and nowhere
+  // farther behind: then nothing leaves the back of the one for either side of the other. True where both lie in one
+  // plane: they may touch. REQUIRES two elements of which the first has a row.
+  virtual bool reaches_behind(std::uint32_t from, std::uint32_t to) const = 0;
 
   // Returns the exact factors of the same surfaces when both sides of each have a material, divided as before. Nothing
   // where backs with a material would make claims that the scene cannot grant.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -29,6 +30,7 @@ struct ComparisonReference {
   std::shared_ptr<const ExchangeMatrix> exact;
   std::vector<LightShares> lights = {};  // of the elements of `exact`
   double tolerance = 0;                  // of the exact factors that are not correctly rounded
+  bool proves = false;                   // ExchangeRequest::proves, of methods that can
 };
 
 // A scene with its exact factors and radiosities, ready to judge methods.
@@ -45,20 +47,26 @@ class MethodComparison {
       : prepared_(std::move(reference.prepared)),
         exact_(std::move(reference.exact)),
         lights_(std::move(reference.lights)),
-        tolerance_(reference.tolerance) {
+        tolerance_(reference.tolerance),
+        proves_(reference.proves) {
     exact_solution_ = solve(*exact_, why_no_solution_);
     reference_ = reference_errors(*exact_, tolerance_, exact_solution_);
   }
 
   // Runs a method, times it and takes its errors. runs: as in time_repeatedly(). Of repeated runs the last one's matrix
-  // and report are kept. Seconds are the method's own where its report has them.
+  // and report are kept. Seconds are the method's own where its report has them. progress: of each run anew; what it
+  // throws is passed on.
   //
-  //   (1) max_radiosity_error is nothing where there is no exact solution; it is infinite, and a note says why, where
+  //   (1) info.guarantee is what the method says of itself, or what all its factors on this scene have where that is
+  //   more (2) max_radiosity_error is nothing where there is no exact solution; it is infinite, and a note says why,
+  //   where
   //       the method's matrix has none though there is an exact one
   // Throws RequestError when the method cannot be run on the scene. COST: the runs, and one solution of its matrix.
-  MethodResult run(const ExchangeMethod<Prepared>& method, const std::optional<int>& runs = {}) const {
+  MethodResult run(const ExchangeMethod<Prepared>& method, const std::optional<int>& runs = {},
+                   const std::function<void(double)>& progress = {}) const {
     MethodResult result;
-    ExchangeRequest request{.granularity = Granularity::kElement, .wants_visibility = false};
+    ExchangeRequest request{
+        .granularity = Granularity::kElement, .wants_visibility = false, .proves = proves_, .progress = progress};
     if (tolerance_ > 0) request.tolerance = tolerance_;
     result.info = method.info();
     result.timing = time_repeatedly(
@@ -70,6 +78,7 @@ class MethodComparison {
           return result.report.seconds.value_or(seconds);
         },
         runs);
+    result.info.guarantee = std::min(result.info.guarantee, result.matrix.guarantee());
     result.notes = result.report.notes;
     // Of columns that are not there missing_sentences() names those to which light goes.
     std::erase_if(result.notes, [&](const std::string& note) {
@@ -119,6 +128,7 @@ class MethodComparison {
   std::shared_ptr<const ExchangeMatrix> exact_;
   std::vector<LightShares> lights_;
   double tolerance_;
+  bool proves_;
   std::string why_no_solution_;
   std::optional<RadiositySolution> exact_solution_;
   ReferenceErrors reference_;

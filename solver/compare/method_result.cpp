@@ -8,6 +8,21 @@
 
 namespace hottel {
 
+double error_of(const MethodResult& result, ErrorKind kind) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  switch (kind) {
+    case ErrorKind::kMaxFactor:
+      return result.errors.max;
+    case ErrorKind::kRmsFactor:
+      return result.errors.rms;
+    case ErrorKind::kFaceRadiosity:
+      return result.face_radiosity_error.value_or(kNone);
+    case ErrorKind::kRadiosity:
+      break;
+  }
+  return result.max_radiosity_error.value_or(kNone);
+}
+
 double max_radiosity_error(const RadiositySolution& solution, const RadiositySolution& exact) {
   HOTTEL_REQUIRE(solution.channels.size() == exact.channels.size());
   double difference = 0;

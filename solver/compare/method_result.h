@@ -39,6 +39,17 @@ struct MethodResult {
   std::vector<std::string> notes;             // the method's, then those of the comparison
 };
 
+// The errors of a result, of which plots and readings take one kind.
+enum class ErrorKind : unsigned char {
+  kMaxFactor,
+  kRmsFactor,
+  kRadiosity,     // max_radiosity_error
+  kFaceRadiosity  // face_radiosity_error
+};
+
+// NaN where the result has none.
+double error_of(const MethodResult& result, ErrorKind kind);
+
 // Returns max |B - exact B| / max exact B, over all elements and channels of two solutions.
 //
 //   (1) 0 for equal solutions, also in the dark; infinite where only the exact one is dark, or a radiosity is no number

@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "geometry/name.h"
+#include "kernel/support/parallel.h"
+#include "solver/compare/samples.h"
 
 namespace hottel {
 
@@ -101,12 +103,31 @@ class BothSides {
   std::map<Key, std::uint32_t> place_;
 };
 
+// Surfaces with factors that are off, none of which goes where nothing gets from their other side.
+std::vector<char> may_be_turned(const JudgedScene& scene, const JudgedPairs& judged) {
+  const ExchangeMatrix& exact = judged.exact();
+  std::vector<char> may_be, cannot;
+  for (const Element& element : exact.elements())
+    may_be.resize(std::max<std::size_t>(may_be.size(), element.surface + 1), 0);
+  cannot = may_be;
+  for (const JudgedPair& pair : judged.pairs()) {
+    const std::uint32_t surface = exact.elements()[pair.from].surface;
+    may_be[surface] |= static_cast<char>(pair.is_off);
+    const bool is_lit = pair.to != exact.sky() && std::abs(pair.value) > judged.tolerance(pair.value);
+    if (is_lit && !cannot[surface]) cannot[surface] = static_cast<char>(!scene.reaches_behind(pair.from, pair.to));
+  }
+  for (std::size_t s = 0; s < may_be.size(); ++s) may_be[s] = may_be[s] && !cannot[s];
+  return may_be;
+}
+
 }  // namespace
 
 Hypothesis suppose_reversed(const JudgedScene& scene, const JudgedPairs& judged) {
   Hypothesis result = explains_nothing(Fault::kReversed, judged);
   const ExchangeMatrix& exact = judged.exact();
   const auto surface_of = [&](std::uint32_t i) { return exact.elements()[i].surface; };
+  std::vector<char> is_turned = may_be_turned(scene, judged);
+  if (std::ranges::find(is_turned, 1) == is_turned.end()) return result;
   std::optional<ExchangeMatrix> factors = scene.factors_of_both_sides();
   if (!factors) return result;
   const BothSides both(std::move(*factors));
@@ -114,14 +135,10 @@ Hypothesis suppose_reversed(const JudgedScene& scene, const JudgedPairs& judged)
     const auto factor = both.factor(exact, pair, turn_from, turn_to);
     return !factor || std::abs(pair.value - *factor) <= judged.tolerance(pair.value);
   };
-  std::size_t count = 0;
-  for (std::uint32_t i = 0; i < exact.size(); ++i) count = std::max<std::size_t>(count, surface_of(i) + 1);
-  // Surfaces of which every row, turned around, agrees whether or not the other face is turned.
-  std::vector<char> is_turned(count, 1), has_off(count, 0);
+  // Every row, turned around, is to agree whether or not the other face is turned.
   for (const JudgedPair& pair : judged.pairs()) {
     char& turned = is_turned[surface_of(pair.from)];
     turned = turned && (agrees(pair, true, false) || agrees(pair, true, true));
-    has_off[surface_of(pair.from)] |= static_cast<char>(pair.is_off);
   }
   // Rows that sum to nothing are missing, not turned, where the file has a place for all they may see.
   const bool is_complete = std::all_of(exact.elements().begin(), exact.elements().end(), [&](const Element& element) {
@@ -134,7 +151,6 @@ Hypothesis suppose_reversed(const JudgedScene& scene, const JudgedPairs& judged)
   }
   std::vector<std::string> names;
   for (std::size_t s = 0; s < is_turned.size(); ++s) {
-    is_turned[s] = is_turned[s] && has_off[s];
     if (is_turned[s]) names.push_back(scene.surface_name(static_cast<std::uint32_t>(s)));
   }
   for (const JudgedPair& pair : judged.pairs()) {
@@ -148,27 +164,74 @@ Hypothesis suppose_reversed(const JudgedScene& scene, const JudgedPairs& judged)
   return result;
 }
 
+namespace {
+
+constexpr std::size_t kSampleOfMethod = 400;  // pairs
+
+double prediction(const PairwiseMethod& method, const JudgedPair& pair) {
+  if (method.takes_visibility && pair.visibility == 0) return 0;
+  return method.factor(pair.from, pair.to) * (method.takes_visibility ? pair.visibility : 1);
+}
+
+// Whether a pair agrees with what a method gives, and whether that speaks for the method.
+struct Agreement {
+  bool agrees = false, is_evidence = false;
+};
+
+Agreement agreement(const PairwiseMethod& method, const JudgedPairs& judged, const JudgedPair& pair) {
+  const double factor = prediction(method, pair);
+  if (!judged.agrees(pair, factor)) return {};
+  const double unobstructed = pair.visibility > 0 ? pair.exact / pair.visibility : 0;
+  return {true, factor != 0 && !judged.agrees(pair, unobstructed)};
+}
+
+bool is_enough(std::uint64_t evidence, std::uint64_t of) {
+  return static_cast<double>(evidence) >= kLeastShareOfMethod * static_cast<double>(of);
+}
+
+std::vector<const JudgedPair*> pairs_off(const JudgedPairs& judged) {
+  std::vector<const JudgedPair*> pairs;
+  for (const JudgedPair& pair : judged.pairs())
+    if (pair.is_off && pair.to != judged.exact().sky()) pairs.push_back(&pair);
+  return pairs;
+}
+
+// What the pairs that are off say for a method, by place. COST: parallel.
+std::vector<Agreement> agreements(const PairwiseMethod& method, const JudgedPairs& judged,
+                                  const std::vector<const JudgedPair*>& pairs) {
+  constexpr std::size_t kPairsATask = 64;
+  std::vector<Agreement> all(pairs.size());
+  parallel_for(
+      all.size(), [&](std::size_t k) { all[k] = agreement(method, judged, *pairs[k]); }, kPairsATask);
+  return all;
+}
+
+std::uint64_t evidence_in(const std::vector<Agreement>& all) {
+  return static_cast<std::uint64_t>(std::ranges::count_if(all, [](const Agreement& each) { return each.is_evidence; }));
+}
+
+}  // namespace
+
 Hypothesis suppose_method(const JudgedScene& scene, const JudgedPairs& judged) {
   Hypothesis best = explains_nothing(Fault::kMethod, judged);
   if (judged.exact().size() > kMostApproximated) return best;
+  const std::vector<const JudgedPair*> pairs = pairs_off(judged), sample = thinned(pairs, kSampleOfMethod);
   std::uint64_t most = 0;
-  for (const ApproximateFactors& each : scene.approximate_factors()) {
+  for (const PairwiseMethod& method : scene.pairwise_methods()) {
+    if (!is_enough(2 * evidence_in(agreements(method, judged, sample)), sample.size())) continue;
+    const std::vector<Agreement> all = agreements(method, judged, pairs);
+    if (!is_enough(evidence_in(all), judged.off())) continue;
     Hypothesis hypothesis = explains_nothing(Fault::kMethod, judged);
-    std::uint64_t evidence = 0;
-    for (const JudgedPair& pair : judged.pairs()) {
-      if (!pair.is_off) continue;
-      const double factor = each.matrix.factor(pair.from, pair.to).value;
-      if (!judged.agrees(pair, factor)) continue;
-      hypothesis.explains[judged.index_of(pair)] = 1;
-      const double unobstructed = pair.visibility > 0 ? pair.exact / pair.visibility : 0;
-      evidence += factor != 0 && !judged.agrees(pair, unobstructed);
-    }
-    if (static_cast<double>(evidence) < kLeastShareOfMethod * static_cast<double>(judged.off()) ||
-        hypothesis.count() <= most)
-      continue;
+    for (std::size_t k = 0; k < pairs.size(); ++k)
+      hypothesis.explains[judged.index_of(*pairs[k])] = static_cast<char>(all[k].agrees);
+    for (const JudgedPair& pair : judged.pairs())
+      if (pair.is_off && pair.to == judged.exact().sky())
+        hypothesis.explains[judged.index_of(pair)] =
+            static_cast<char>(judged.agrees(pair, std::max(0.0, judged.rest_of_row(pair))));
+    if (hypothesis.count() <= most) continue;
     most = hypothesis.count();
     best = std::move(hypothesis);
-    best.words = fmt::format("factors are those of an approximate method, as `{}` gives", each.method);
+    best.words = fmt::format("factors are those of an approximate method, as `{}` gives", method.name);
   }
   return best;
 }

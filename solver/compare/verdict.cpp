@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 #include "geometry/name.h"
 #include "kernel/support/counted.h"
+#include "kernel/support/interrupt.h"
 #include "solver/compare/composed_readings.h"
 #include "solver/compare/composed_scatter.h"
 #include "solver/compare/hypotheses.h"
@@ -83,8 +86,16 @@ void compose(const JudgedScene& scene, const JudgedPairs& judged, const std::vec
 }
 
 // All readings that are worth their time: those that take runs of methods only where no other explains nearly all.
-std::vector<Hypothesis> hypotheses_of(const JudgedScene& scene, const JudgedPairs& judged) {
+std::vector<Hypothesis> hypotheses_of(const JudgedScene& scene, const JudgedPairs& judged,
+                                      const std::function<void(double)>& progress) {
+  // What the readings take, roughly: those of the numbers alone, several faults at once, scatter, and so on.
+  constexpr std::array kDone = {0.05, 0.3, 0.45, 0.75, 0.9};
+  const auto tell = [&](std::size_t readings) {
+    throw_if_interrupted();
+    if (progress) progress(kDone[readings]);
+  };
   const std::vector<double> unobstructed = unobstructed_factors(scene, judged);
+  tell(0);
   std::vector<Hypothesis> hypotheses;
   hypotheses.push_back(suppose_transposed(judged));
   hypotheses.push_back(suppose_constant_factor(judged));
@@ -99,11 +110,15 @@ std::vector<Hypothesis> hypotheses_of(const JudgedScene& scene, const JudgedPair
   hypotheses.push_back(suppose_sky_is_rest(judged));
   hypotheses.push_back(suppose_missing(judged));
   hypotheses.push_back(suppose_behind(judged, unobstructed));
+  tell(1);
   if (!is_explained(hypotheses, judged)) compose(scene, judged, unobstructed, Orders::kRight, hypotheses);
+  tell(2);
   if (!is_explained(hypotheses, judged)) hypotheses.push_back(suppose_scatter(scene, judged, {}, false));
+  tell(3);
   // A face that is turned around may look as if it had changed places with its back.
   if (!is_explained(hypotheses, judged, false)) hypotheses.push_back(suppose_reversed(scene, judged));
   if (!is_explained(hypotheses, judged)) hypotheses.push_back(suppose_method(scene, judged));
+  tell(4);
   if (!is_explained(hypotheses, judged)) compose(scene, judged, unobstructed, Orders::kAny, hypotheses);
   // Of readings that explain equally many pairs the one that stands first in Fault is taken, and before these what was
   // done to all.
@@ -196,7 +211,7 @@ std::string laws_sentence(const Verdict& verdict) {
 }  // namespace
 
 Verdict judge(const JudgedScene& scene, const ExchangeMatrix& exact, const ExchangeMatrix& matrix,
-              const VerdictOptions& options) {
+              const VerdictOptions& options, const VerdictWatch& watch) {
   const JudgedPairs judged(exact, matrix, options.beyond, options.written);
   Verdict verdict;
   verdict.options = options;
@@ -205,11 +220,18 @@ Verdict judge(const JudgedScene& scene, const ExchangeMatrix& exact, const Excha
   for (const JudgedPair& pair : judged.pairs()) verdict.max_error = std::max(verdict.max_error, pair.error());
   judge_laws(judged, verdict);
   judge_reciprocity(judged, verdict);
-  if (verdict.off > 0) choose_findings(scene, hypotheses_of(scene, judged), judged, verdict);
+  if (watch.on_laws) watch.on_laws(verdict);
+  if (verdict.off > 0) choose_findings(scene, hypotheses_of(scene, judged, watch.progress), judged, verdict);
   return verdict;
 }
 
 std::vector<std::string> verdict_sentences(const Verdict& verdict, const ExchangeMatrix& exact) {
+  std::vector<std::string> text = law_sentences(verdict);
+  std::ranges::move(finding_sentences(verdict, exact), std::back_inserter(text));
+  return text;
+}
+
+std::vector<std::string> law_sentences(const Verdict& verdict) {
   std::vector<std::string> text;
   if (verdict.off == 0) {
     text.push_back(
@@ -223,6 +245,11 @@ std::vector<std::string> verdict_sentences(const Verdict& verdict, const Exchang
                     verdict.off, verdict.pairs, verdict.options.beyond, verdict.max_error));
   }
   text.push_back(laws_sentence(verdict));
+  return text;
+}
+
+std::vector<std::string> finding_sentences(const Verdict& verdict, const ExchangeMatrix& exact) {
+  std::vector<std::string> text;
   for (const FoundFault& finding : verdict.findings)
     text.push_back(fmt::format("{}: this explains {} of the {} pairs ({})", finding.words, finding.explained,
                                verdict.off, pairs_text(finding.worst, exact, finding.explained <= 2 ? 2 : 1)));

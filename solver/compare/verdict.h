@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,12 @@ struct Verdict {
   std::vector<JudgedPair> worst_unexplained;  // at most kPairsNamed, the worst first
 };
 
+// Who is told while a matrix is judged; each may be empty.
+struct VerdictWatch {
+  std::function<void(const Verdict&)> on_laws;  // before readings are looked for: without findings
+  std::function<void(double)> progress;         // fraction of the readings that were looked for; may throw to stop
+};
+
 inline constexpr std::size_t kPairsNamed = 5;
 inline constexpr double kLeastShare = 0.02;         // of the pairs off, that a reading explains to be named
 inline constexpr double kLeastShareOfFitted = 0.2;  // the same of one with numbers that were fitted: a ratio, or many
@@ -66,11 +73,13 @@ inline constexpr double kLeastShareOfFitted = 0.2;  // the same of one with numb
 // REQUIRES: both matrices are over the elements of the scene; the exact one has visibilities.
 // COST: a few passes over both matrices; when something is off, what the scene takes to answer (judged_scene.h).
 Verdict judge(const JudgedScene& scene, const ExchangeMatrix& exact, const ExchangeMatrix& matrix,
-              const VerdictOptions& options);
+              const VerdictOptions& options, const VerdictWatch& watch = {});
 
-// The verdict as sentences, most important first: how many pairs are off, which laws hold, then a sentence a finding,
-// and one for what is left unexplained. They name at most kPairsNamed pairs each.
+// The verdict as sentences, most important first: how many pairs are off, and which laws hold; then a sentence a
+// finding, and one for what is left unexplained. They name at most kPairsNamed pairs each.
 // REQUIRES the exact matrix of this verdict.
-std::vector<std::string> verdict_sentences(const Verdict& verdict, const ExchangeMatrix& exact);
+std::vector<std::string> law_sentences(const Verdict& verdict);
+std::vector<std::string> finding_sentences(const Verdict& verdict, const ExchangeMatrix& exact);
+std::vector<std::string> verdict_sentences(const Verdict& verdict, const ExchangeMatrix& exact);  // all of these
 
 }  // namespace hottel

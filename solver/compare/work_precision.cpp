@@ -37,16 +37,31 @@ std::string duration(double seconds) {
   return fmt::format("{:.3g} ns", seconds * 1e9);
 }
 
+std::string error_words(double error, ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::kRmsFactor:
+      return fmt::format("a root mean square error of {:g}", error);
+    case ErrorKind::kRadiosity:
+      return fmt::format("an error of {:g} of the largest radiosity", error);
+    case ErrorKind::kFaceRadiosity:
+      return fmt::format("an error of {:g} of the largest mean radiosity of a face", error);
+    case ErrorKind::kMaxFactor:
+      break;
+  }
+  return fmt::format("an error of {:g}", error);
+}
+
 }  // namespace
 
-std::vector<WorkCurve> work_curves(std::span<const MethodResult> results) {
+std::vector<WorkCurve> work_curves(std::span<const MethodResult> results, ErrorKind kind) {
   std::vector<WorkCurve> curves;
   for (const MethodResult& result : results) {
-    if (std::isnan(result.timing.median)) continue;
+    const double error = error_of(result, kind);
+    if (std::isnan(result.timing.median) || std::isnan(error)) continue;
     auto curve = std::find_if(curves.begin(), curves.end(),
                               [&](const WorkCurve& each) { return each.family == result.info.family; });
     if (curve == curves.end()) curve = curves.insert(curve, WorkCurve{result.info.family, {}});
-    curve->points.push_back({result.info.name, result.timing.median, result.errors.max, result.info.parameter});
+    curve->points.push_back({result.info.name, result.timing.median, error, result.info.parameter});
   }
   return curves;
 }
@@ -88,15 +103,16 @@ std::vector<WorkReading> read_off(std::span<const WorkCurve> curves, std::span<c
   return readings;
 }
 
-std::string to_sentence(const WorkReading& reading) {
+std::string to_sentence(const WorkReading& reading, ErrorKind kind) {
+  const std::string at = error_words(reading.error, kind);
   if (reading.family.empty())
-    return fmt::format("at an error of {:g} exact ({}) stands alone: no other method that is timed reaches it",
-                       reading.error, duration(reading.exact_seconds));
+    return fmt::format("at {} exact ({}) stands alone: no other method that is timed reaches it", at,
+                       duration(reading.exact_seconds));
   const double ratio = reading.seconds / reading.exact_seconds, times = std::max(ratio, 1 / ratio);
   const std::string verdict = times < kAsFast
                                   ? "takes about as long as"
                                   : fmt::format("is {:.3g} times {} than", times, ratio > 1 ? "faster" : "slower");
-  return fmt::format("at an error of {:g} exact ({}) {} the cheapest method that reaches it, {} ({})", reading.error,
+  return fmt::format("at {} exact ({}) {} the cheapest method that reaches it, {} ({})", at,
                      duration(reading.exact_seconds), verdict, reading.family, duration(reading.seconds));
 }
 

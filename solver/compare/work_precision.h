@@ -16,7 +16,7 @@ inline constexpr const char* kArithmeticFamily = "arithmetic";  // the same swee
 // What one run of a method cost, and how wrong it was.
 struct WorkPoint {
   std::string method;
-  double seconds = 0, error = 0;  // error: max |F - exact F|
+  double seconds = 0, error = 0;  // error: of the kind that was asked for
   double parameter = 0;           // MethodInfo::parameter
 };
 
@@ -26,9 +26,9 @@ struct WorkCurve {
   std::vector<WorkPoint> points;
 };
 
-// Returns one curve a family, in the order in which families first appear; seconds are medians.
-// COST: results times families.
-std::vector<WorkCurve> work_curves(std::span<const MethodResult> results);
+// Returns one curve a family, in the order in which families first appear; seconds are medians. Results without time,
+// or without an error of this kind, are left out. COST: results times families.
+std::vector<WorkCurve> work_curves(std::span<const MethodResult> results, ErrorKind kind = ErrorKind::kMaxFactor);
 
 // Returns the least time in which a family gets down to an error: on the polyline, in logarithms, through
 // the points that no cheaper point beats. Nothing when its best point is worse than that; never less than
@@ -50,8 +50,9 @@ struct WorkReading {
 // One reading for each error that is asked for, in their order; none without the method "exact". REQUIRES errors > 0.
 std::vector<WorkReading> read_off(std::span<const WorkCurve> curves, std::span<const double> errors);
 
-// Returns a sentence without a full stop; times within a tenth of each other are said to be about as long.
-// "at an error of 0.001 exact (250 µs) is 5.2 times faster than the cheapest method that reaches it, gauss (1.3 ms)"
-std::string to_sentence(const WorkReading& reading);
+// Returns a sentence without a full stop that names the kind of error; times within a tenth of each other are said to
+// be about as long. "at an error of 0.001 exact (250 µs) is 5.2 times faster than the cheapest method that reaches it,
+// gauss (1.3 ms)"
+std::string to_sentence(const WorkReading& reading, ErrorKind kind = ErrorKind::kMaxFactor);
 
 }  // namespace hottel

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
@@ -23,6 +24,15 @@ struct PairsOfElements {
   // The factors of elements i < j of which one at least has a row.
   std::function<PairFactors(std::uint32_t i, std::uint32_t j)> factors;
 };
+
+// Returns F(from, to) of two different elements by these pairs, whose geometry is kept alive.
+template <class Geometry>
+std::function<double(std::uint32_t, std::uint32_t)> one_way(const PairsOfElements& pairs,
+                                                            std::shared_ptr<const Geometry> geometry) {
+  return [factors = pairs.factors, geometry = std::move(geometry)](std::uint32_t from, std::uint32_t to) {
+    return from < to ? factors(from, to).forth : factors(to, from).back;
+  };
+}
 
 // Partners by source->append_partners(i, partners).
 template <class Source>

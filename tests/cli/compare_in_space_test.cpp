@@ -25,7 +25,8 @@ TEST(CompareInSpace, WritesAllFilesAndALineForEachFamily) {
   const auto csv = lines_of(place.read("out/compare.csv"));
   ASSERT_EQ(csv.size(), 10u);
   EXPECT_EQ(csv[0], "method,guarantee,seconds,max_error,rms_error,closure,max_radiosity_error");
-  EXPECT_THAT(csv[1], StartsWith("exact,estimated,"));
+  EXPECT_THAT(csv[1], StartsWith("exact,enclosed,"));  // nothing stands between its faces
+  EXPECT_THAT(csv[2], testing::Not(HasSubstr("enclosed")));
   EXPECT_THAT(place.read("out/compare.svg"), HasSubstr("<svg"));
   EXPECT_THAT(place.read("out/worst.csv"), HasSubstr("touching"));
   EXPECT_THAT(place.read("out/readings.csv"), StartsWith("error,family,seconds,exact_seconds\n"));
@@ -46,6 +47,19 @@ TEST(CompareInSpace, SweepsAndTakesToleranceElementsAndFilesOfOthers) {
   EXPECT_THAT(csv, HasSubstr("\ngauss:6,"));
   EXPECT_THAT(csv, HasSubstr("\nfile:cube.csv,"));
   EXPECT_THAT(outcome.err, HasSubstr("file:cube.csv: all 30 pairs agree with the exact factors"));
+}
+
+TEST(CompareInSpace, SaysThatTheExactMethodIsProvenWhereThatIsAskedFor) {
+  const Workplace place;
+  const std::string compare = "hottel compare '" + std::string(HOTTEL_SOURCE_DIR) +
+                              "/scenes/space/two_boxes.json' --methods exact,center --repeat 1 --tolerance 1e-6 -o out";
+  for (const bool proves : {false, true}) {
+    const Outcome outcome = place.run(compare + (proves ? " --guarantee enclosed" : ""));
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto csv = lines_of(place.read("out/compare.csv"));
+    EXPECT_THAT(csv[1], StartsWith(proves ? "exact,enclosed," : "exact,estimated,"));
+    EXPECT_THAT(csv[2], StartsWith("center,estimated,"));
+  }
 }
 
 TEST(CompareInSpace, DrawsWhereAMethodIsWrong) {

@@ -256,6 +256,34 @@ TEST(Foreign, CompareJudgesRadiositiesToo) {
   EXPECT_THAT(outcome.err, StartsWith("c.csv:2: the scene has no face with a material called 'lamp'"));
 }
 
+TEST(Foreign, CompareNamesChannelsThatAreNotThere) {
+  const Workplace place;
+  ASSERT_EQ(place.run("hottel solve " + kBox + " --quiet --grid 4x4 -o solved").code, 0);
+  const auto said_without = [&](const std::string& lines) {
+    const Outcome outcome = place.run("grep -v '" + lines + "' solved/radiosity.csv > less.csv; hottel compare " +
+                                      kBox + " --methods file:less.csv -o out");
+    EXPECT_EQ(outcome.code, 3);
+    return outcome.err;
+  };
+  EXPECT_THAT(said_without(",g,"), StartsWith("less.csv: lacks the channel 'g': the scene has r, g, b\n"));
+  EXPECT_THAT(said_without(",[rb],"), StartsWith("less.csv: lacks the channels 'r', 'b': the scene has r, g, b\n"));
+  EXPECT_THAT(said_without("floor,0,g,"), StartsWith("less.csv: has no radiosity of 'floor'\n"));
+}
+
+TEST(Foreign, CompareTellsVerdictsBeforeTheTableAndOnce) {
+  const Workplace place;
+  ASSERT_EQ(place.run("hottel factors " + kBox + " --per element --method center --quiet -o f.csv").code, 0);
+  const Outcome outcome = place.run("hottel compare " + kBox + " --methods file:f.csv,exact --repeat 1 -o out");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::size_t off = outcome.err.find("file:f.csv: "), laws = outcome.err.find("reciprocity A_i F_ij"),
+                    findings = outcome.err.find("this explains"), table = outcome.err.find("fastest..slowest");
+  EXPECT_LT(off, laws);
+  EXPECT_LT(laws, findings);
+  EXPECT_LT(findings, table);
+  EXPECT_LT(table, std::string::npos);
+  EXPECT_EQ(outcome.err.find("reciprocity A_i F_ij", laws + 1), std::string::npos);
+}
+
 TEST(Foreign, CtrlCStopsTheCommandAndLeavesNothing) {
   const Workplace place;
   const Outcome outcome = place.run(

@@ -19,20 +19,6 @@ double along_x(const MethodResult& result, PlotX x) {
   return result.info.parameter > 0 ? result.info.parameter : kNone;
 }
 
-double along_y(const MethodResult& result, PlotY y) {
-  switch (y) {
-    case PlotY::kMaxError:
-      return result.errors.max;
-    case PlotY::kRmsError:
-      return result.errors.rms;
-    case PlotY::kFaceError:
-      return result.face_radiosity_error.value_or(kNone);
-    case PlotY::kRadiosityError:
-      break;
-  }
-  return result.max_radiosity_error.value_or(kNone);
-}
-
 std::string title_of(PlotX x) {
   switch (x) {
     case PlotX::kTime:
@@ -45,15 +31,15 @@ std::string title_of(PlotX x) {
   return "elements";
 }
 
-std::string title_of(PlotY y) {
+std::string title_of(ErrorKind y) {
   switch (y) {
-    case PlotY::kMaxError:
+    case ErrorKind::kMaxFactor:
       return "largest error of a view factor";
-    case PlotY::kRmsError:
+    case ErrorKind::kRmsFactor:
       return "root mean square error of the view factors";
-    case PlotY::kFaceError:
+    case ErrorKind::kFaceRadiosity:
       return "largest error of the mean radiosity of a face, of the largest one";
-    case PlotY::kRadiosityError:
+    case ErrorKind::kRadiosity:
       break;
   }
   return "largest error of a radiosity, of the largest radiosity";
@@ -71,7 +57,7 @@ LogPlot comparison_plot(std::span<const MethodResult> results, PlotAxes axes, co
   plot.x_is_seconds = axes.x == PlotX::kTime;
   plot.zero_label = "exact";
   for (const MethodResult& result : results) {
-    const double x = along_x(result, axes.x), y = along_y(result, axes.y);
+    const double x = along_x(result, axes.x), y = error_of(result, axes.y);
     const bool is_level = std::isnan(x);
     auto curve = std::ranges::find_if(plot.curves, [&](const LogPlotCurve& each) {
       return each.name == result.info.family && each.is_level == is_level;

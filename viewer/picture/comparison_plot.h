@@ -9,14 +9,12 @@
 
 namespace hottel {
 
-// What stands along the axes. kParameter: rays, points or pixels (MethodInfo::parameter). kElements, kFaceError:
-// MethodResult has them.
+// What stands along the axes. kParameter: rays, points or pixels (MethodInfo::parameter); kElements: of MethodResult.
 enum class PlotX : unsigned char { kTime, kParameter, kElements };
-enum class PlotY : unsigned char { kMaxError, kRmsError, kRadiosityError, kFaceError };
 
 struct PlotAxes {
   PlotX x = PlotX::kTime;
-  PlotY y = PlotY::kMaxError;
+  ErrorKind y = ErrorKind::kMaxFactor;
 };
 
 // A curve a family, in the order in which families first appear, of its results in their order.

@@ -14,6 +14,13 @@ namespace {
 
 constexpr double kLegendWidth = 330, kLegendLine = 34;
 
+// A line in parts, in the plot's units.
+struct Broken {
+  double drawn, left_out;
+};
+constexpr std::array<Broken, 2> kBroken{{{10, 8}, {1, 6}}};
+constexpr std::array<Broken, 3> kLevels{{{26, 9}, {10, 8}, {1, 6}}};
+
 // "10⁻³"
 std::string power_of_ten(int exponent) {
   static constexpr const char* kRaised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -86,6 +93,7 @@ LogPlotPainter::LogPlotPainter(const LogPlot& plot) : plot_(plot), unit_(std::ma
       if (!curve.is_level) x.push_back(point.x);
       y.push_back(point.y);
     }
+  has_x_ = !x.empty();
   x_ = axis_over(x);
   y_ = axis_over(y);
   const double heading = (plot.title.empty() ? 0 : 62) + (plot.subtitle.empty() ? 0 : 32);
@@ -124,8 +132,33 @@ Pixel LogPlotPainter::at(double x, double y) const {
 
 Colour LogPlotPainter::colour(std::size_t curve) const {
   const auto emphasised = static_cast<std::size_t>(plot_.emphasised);
-  if (plot_.emphasised < 0 || curve < emphasised) return palette::kCurves[curve % palette::kCurves.size()];
-  return curve == emphasised ? palette::kInk : palette::kCurves[(curve - 1) % palette::kCurves.size()];
+  if (plot_.emphasised >= 0 && curve == emphasised) return palette::kInk;
+  return palette::kCurves[place_among_coloured(curve) % palette::kCurves.size()];
+}
+
+// Those in ink take no colour.
+std::size_t LogPlotPainter::place_among_coloured(std::size_t curve) const {
+  return plot_.emphasised >= 0 && curve > static_cast<std::size_t>(plot_.emphasised) ? curve - 1 : curve;
+}
+
+// Once all colours are taken the next ten curves are dashed, then dotted.
+void LogPlotPainter::draw_line(PictureCanvas& canvas, std::size_t curve, Pixel from, Pixel to, Mark mark) const {
+  const std::size_t round = place_among_coloured(curve) / palette::kCurves.size();
+  const double width = 2.6 * unit_;
+  if (!plot_.curves[curve].is_level && round == 0) {
+    canvas.stroke(mark, from, to, colour(curve), width);
+    return;
+  }
+  // Levels are broken, whatever their round: else they would be taken for curves.
+  const Broken broken =
+      plot_.curves[curve].is_level ? kLevels[round % kLevels.size()] : kBroken[(round - 1) % kBroken.size()];
+  const double all = std::hypot(to.x - from.x, to.y - from.y);
+  const auto at_length = [&](double t) {
+    const double part = all > 0 ? std::min(t / all, 1.0) : 0;
+    return Pixel{std::lerp(from.x, to.x, part), std::lerp(from.y, to.y, part)};
+  };
+  for (double t = 0; t < all; t += (broken.drawn + broken.left_out) * unit_)
+    canvas.stroke(mark, at_length(t), at_length(t + broken.drawn * unit_), colour(curve), width);
 }
 
 void LogPlotPainter::draw(PictureCanvas& canvas) const {
@@ -151,26 +184,36 @@ void LogPlotPainter::draw_heading(PictureCanvas& canvas) const {
     line(plot_.subtitle, (plot_.title.empty() ? 40 : 96) * unit_, {.size = 19 * unit_, .colour = palette::kSoftInk});
 }
 
-void LogPlotPainter::draw_axes(PictureCanvas& canvas) const {
+// Decades, what they are called, and the title.
+void LogPlotPainter::draw_x_axis(PictureCanvas& canvas) const {
   const Colour grid = palette::kHatch.with_alpha(0.75), fine = palette::kHatch.with_alpha(0.28);
-  const TextStyle small{.size = 17 * unit_, .colour = palette::kSoftInk, .anchor = TextAnchor::kCentre};
   const auto vertical = [&](double x, const Colour& ink) {
     const double where = at(x, 1).x;
     canvas.stroke(Mark::kAxis, {where, top_left_.y}, {where, bottom_right_.y}, ink, unit_);
   };
-  const auto horizontal = [&](double y, const Colour& ink) {
-    const double where = at(1, y).y;
-    canvas.stroke(Mark::kAxis, {top_left_.x, where}, {bottom_right_.x, where}, ink, unit_);
-  };
-  const int x_every = std::max(1, (x_.last - x_.first) / 8), y_every = std::max(1, (y_.last - y_.first + 6) / 12);
+  const int every = std::max(1, (x_.last - x_.first) / 8);
   for (int k = x_.first; k <= x_.last; ++k) {
     const double decade = std::pow(10, k);
     vertical(decade, grid);
     for (int m = 2; k < x_.last && x_.last - x_.first <= 8 && m <= 9; ++m) vertical(m * decade, fine);
-    if ((k - x_.first) % x_every != 0) continue;
+    if ((k - x_.first) % every != 0) continue;
     canvas.text(Mark::kAxis, {at(decade, 1).x, bottom_right_.y + 27 * unit_},
-                plot_.x_is_seconds ? duration(k) : power_of_ten(k), small);
+                plot_.x_is_seconds ? duration(k) : power_of_ten(k),
+                {.size = 17 * unit_, .colour = palette::kSoftInk, .anchor = TextAnchor::kCentre});
   }
+  canvas.text(Mark::kAxis, {bottom_right_.x, bottom_right_.y + 64 * unit_}, plot_.x_title,
+              {.size = 20 * unit_, .colour = palette::kInk, .anchor = TextAnchor::kRight});
+}
+
+void LogPlotPainter::draw_axes(PictureCanvas& canvas) const {
+  const Colour grid = palette::kHatch.with_alpha(0.75);
+  const TextStyle small{.size = 17 * unit_, .colour = palette::kSoftInk, .anchor = TextAnchor::kCentre};
+  const auto horizontal = [&](double y, const Colour& ink) {
+    const double where = at(1, y).y;
+    canvas.stroke(Mark::kAxis, {top_left_.x, where}, {bottom_right_.x, where}, ink, unit_);
+  };
+  if (has_x_) draw_x_axis(canvas);
+  const int y_every = std::max(1, (y_.last - y_.first + 6) / 12);
   TextStyle left = small;
   left.anchor = TextAnchor::kRight;
   for (int k = y_.first; k <= y_.last; ++k) {
@@ -190,9 +233,6 @@ void LogPlotPainter::draw_axes(PictureCanvas& canvas) const {
   canvas.stroke(Mark::kAxis, corner, bottom_right_, palette::kInk, 1.8 * unit_);
   canvas.stroke(Mark::kAxis, corner, top_left_, palette::kInk, 1.8 * unit_);
   const TextStyle title{.size = 20 * unit_, .colour = palette::kInk};
-  TextStyle along = title;
-  along.anchor = TextAnchor::kRight;
-  canvas.text(Mark::kAxis, {bottom_right_.x, bottom_right_.y + 64 * unit_}, plot_.x_title, along);
   canvas.text(Mark::kAxis, {40 * unit_, top_left_.y - 18 * unit_}, plot_.y_title, title);
 }
 
@@ -230,8 +270,7 @@ void LogPlotPainter::draw_curve(PictureCanvas& canvas, std::size_t k) const {
   if (plot_.curves[k].is_level) {
     for (const LogPlotPoint& point : points) {
       const double y = at(1, point.y).y;
-      for (double x = top_left_.x; x < bottom_right_.x; x += 22 * unit_)
-        canvas.stroke(Mark::kCurve, {x, y}, {std::min(x + 13 * unit_, bottom_right_.x), y}, colour(k), 2.6 * unit_);
+      draw_line(canvas, k, {top_left_.x, y}, {bottom_right_.x, y}, Mark::kCurve);
       draw_marker(canvas, k, {bottom_right_.x, y}, Mark::kPoint);
     }
     return;
@@ -242,7 +281,7 @@ void LogPlotPainter::draw_curve(PictureCanvas& canvas, std::size_t k) const {
       for (double y = top_left_.y; y < bottom_right_.y; y += 16 * unit_)
         canvas.stroke(Mark::kCurve, {x, y}, {x, std::min(y + 8 * unit_, bottom_right_.y)}, palette::kInk, 1.8 * unit_);
     }
-  for (const auto& [from, to] : lines(plot_.curves[k])) canvas.stroke(Mark::kCurve, from, to, colour(k), 2.6 * unit_);
+  for (const auto& [from, to] : lines(plot_.curves[k])) draw_line(canvas, k, from, to, Mark::kCurve);
   for (const LogPlotPoint& point : points) draw_marker(canvas, k, at(point.x, point.y), Mark::kPoint);
 }
 
@@ -291,7 +330,7 @@ void LogPlotPainter::draw_legend(PictureCanvas& canvas) const {
   for (std::size_t k = 0; k < plot_.curves.size(); ++k) {
     const double y = top_left_.y + (static_cast<double>(k) + 0.5) * line;
     if (plot_.curves[k].points.size() > 1 || plot_.curves[k].is_level)
-      canvas.stroke(Mark::kLegend, {left, y}, {left + 40 * unit_, y}, colour(k), 2.6 * unit_);
+      draw_line(canvas, k, {left, y}, {left + 40 * unit_, y}, Mark::kLegend);
     draw_marker(canvas, k, {left + 20 * unit_, y}, Mark::kLegend);
     TextStyle style{.size = std::min(18 * unit_, 0.7 * line), .colour = palette::kInk};
     const double wide = canvas.text_width(plot_.curves[k].name, style);

@@ -21,7 +21,7 @@ struct LogPlotPoint {
 struct LogPlotCurve {
   std::string name;  // for the legend
   std::vector<LogPlotPoint> points;
-  bool is_level = false;  // values y without any x: each a dashed line all across
+  bool is_level = false;  // values y without any x: each a broken line all across
 };
 
 // A plot as data: what stands on it, without where.
@@ -42,8 +42,12 @@ struct LogPlot {
 //   (2) values that are 0 lie on a level of their own below the lowest decade, named zero_label, apart by a dashed line
 //   (3) points that are not finite, or not positive along x, are left out, and no line goes across them; a level has
 //       no x
-//   (4) the points of a curve are joined in their order; each curve has a colour and a marker of its own (of 10 x 6)
+//   (4) the points of a curve are joined in their order; of the first 30 curves each has a colour and a stroke of its
+//   own
+//       (10 colours; unbroken, dashed, dotted), and besides one of 6 markers. Levels are broken lines: long, dashed,
+//       dotted
 //   (5) nothing leaves the picture
+//   (6) where no curve has a place along x there is no axis of it
 // Degenerate: without points the axes span one decade.
 // Throws UsageError for sides out of range (CairoCanvas).
 class LogPlotPainter {
@@ -74,10 +78,14 @@ class LogPlotPainter {
   std::vector<LogPlotPoint> shown(const LogPlotCurve& curve) const;
   std::vector<std::array<Pixel, 2>> lines(const LogPlotCurve& curve) const;
   Colour colour(std::size_t curve) const;
+  std::size_t place_among_coloured(std::size_t curve) const;
+  void draw_line(PictureCanvas& canvas, std::size_t curve, Pixel from, Pixel to, Mark mark) const;
+  void draw_x_axis(PictureCanvas& canvas) const;
 
   const LogPlot& plot_;
   double unit_;
   Pixel top_left_, bottom_right_;  // of the field inside the axes
+  bool has_x_ = false;             // some curve has a place along x
   Axis x_, y_;
 };
 

@@ -26,10 +26,10 @@ ComparisonReference<PreparedScene2> reference_of(const Simulation2& simulation, 
 MethodComparison2::MethodComparison2(const Simulation2& simulation, const StageProgress& progress)
     : MethodComparison(reference_of(simulation, progress)) {}
 
-void add_verdict(const MethodComparison2& comparison, double beyond, MethodResult& result) {
+void add_verdict(const MethodComparison2& comparison, double beyond, MethodResult& result, const VerdictWatch& watch) {
   if (!result.report.written) return;
   const Verdict verdict = judge(comparison.prepared(), comparison.exact(), result.matrix,
-                                {.beyond = beyond, .written = *result.report.written});
+                                {.beyond = beyond, .written = *result.report.written}, watch);
   std::ranges::move(verdict_sentences(verdict, comparison.exact()), std::back_inserter(result.notes));
 }
 

@@ -1,5 +1,7 @@
 #include "solver/plane/compare/verdict.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,8 +12,8 @@
 #include "geometry/plane/prepared/element_table.h"
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
-#include "solver/compare/approximate_factors.h"
 #include "solver/compare/judged_scene.h"
+#include "solver/compare/pairwise_methods.h"
 #include "solver/methods/gauss_rule.h"
 #include "solver/methods/vertex_variant.h"
 #include "solver/plane/methods/cosine_kernel.h"
@@ -48,12 +50,35 @@ class JudgedScene2 final : public JudgedScene {
     return pair_place(b.centre - a.centre, a.normal(), b.normal());
   }
 
-  std::vector<ApproximateFactors> approximate_factors() const override {
-    return approximate_factors_of(methods_2(), prepared_);
+  std::vector<PairwiseMethod> pairwise_methods() const override {
+    std::vector<PairwiseMethod> methods = pairwise_methods_of(methods_2(), prepared_);
+    methods.push_back({"center-vis",
+                       [this](std::uint32_t from, std::uint32_t to) { return factor_by(PointRule::kCenter, from, to); },
+                       true});
+    const double constant = 1 / to_double(geometry_.unit() * geometry_.unit());
+    if (std::isnormal(constant))
+      methods.push_back({"center-vis:inverse-square=1",
+                         [this, constant](std::uint32_t from, std::uint32_t to) {
+                           double factor = 0;
+                           for (const ElementRun2& a : geometry_.runs(from))
+                             for (const ElementRun2& b : geometry_.runs(to)) factor += a.share * inverse_square(a, b);
+                           return constant * factor;
+                         },
+                         true});
+    return methods;
   }
 
-  ExchangeMatrix uniform_factors() const override {
-    return uniform_factors_of(methods_2(), prepared_, geometry_.count());
+  ExchangeMatrix uniform_factors(std::uint32_t rays) const override {
+    return uniform_factors_of(methods_2(), prepared_, rays);
+  }
+
+  bool reaches_behind(std::uint32_t from, std::uint32_t to) const override {
+    for (const ElementRun2& a : geometry_.runs(from))
+      for (const ElementRun2& b : geometry_.runs(to))
+        if (const auto [least, most] = std::minmax(dot(a.normal(), b.from - a.from), dot(a.normal(), b.to - a.from));
+            is_behind_in_part(least, most, std::min(a.length, b.length)))
+          return true;
+    return false;
   }
 
   std::optional<ExchangeMatrix> factors_of_both_sides() const override {
@@ -95,8 +120,8 @@ class JudgedScene2 final : public JudgedScene {
 }  // namespace
 
 Verdict judge(const PreparedScene2& prepared, const ExchangeMatrix& exact, const ExchangeMatrix& matrix,
-              const VerdictOptions& options) {
-  return judge(JudgedScene2(prepared), exact, matrix, options);
+              const VerdictOptions& options, const VerdictWatch& watch) {
+  return judge(JudgedScene2(prepared), exact, matrix, options, watch);
 }
 
 }  // namespace hottel

@@ -13,6 +13,6 @@ struct PreparedScene2;
 // COST: a few passes over both matrices; another exact matrix, of both sides of all edges, when something is off; and
 // an exact sum for each pair that is off and exchanges nothing.
 Verdict judge(const PreparedScene2& prepared, const ExchangeMatrix& exact, const ExchangeMatrix& matrix,
-              const VerdictOptions& options);
+              const VerdictOptions& options, const VerdictWatch& watch = {});
 
 }  // namespace hottel

@@ -67,9 +67,7 @@ class InverseSquare2 final : public PairMethod2 {
       PairFactors both;
       for (const ElementRun2& a : geometry.runs(i))
         for (const ElementRun2& b : geometry.runs(j)) {
-          const double kernel = between_centres(a, b);  // cos cos' / (2 r)
-          if (!(kernel > 0)) continue;
-          const double factor = constant * (2 * kernel / length(b.centre - a.centre)) * visible;
+          const double factor = constant * inverse_square(a, b) * visible;
           both.forth += a.share * factor;
           both.back += b.share * factor;
         }

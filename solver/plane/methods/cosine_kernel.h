@@ -25,6 +25,12 @@ inline double between_centres(const ElementRun2& a, const ElementRun2& b) {
   return cosine_kernel(a.centre, a.normal(), b.centre, b.normal());
 }
 
+// And cos cos' / r^2 between them. [1 / local unit^2]
+inline double inverse_square(const ElementRun2& a, const ElementRun2& b) {
+  const double kernel = between_centres(a, b);
+  return kernel > 0 ? 2 * kernel / length(b.centre - a.centre) : 0;
+}
+
 // The mean of the cosine kernel over the four pairs of ends that are not nearer than `nearest`.
 inline double mean_over_ends(const ElementRun2& a, const ElementRun2& b, double nearest) {
   double sum = 0;

@@ -26,6 +26,11 @@ ExchangeMatrix PairMethod2::compute_elements(const PreparedScene2& prepared,
                          pairs(prepared, geometry), progress, report);
 }
 
+ExchangeMethod2::FactorsOfPairs PairMethod2::factors_of_pairs(const PreparedScene2& prepared) const {
+  const auto geometry = std::make_shared<const ElementGeometry2>(prepared);
+  return one_way(pairs(prepared, *geometry), geometry);
+}
+
 double PairMethod2::error_of_free_runs(const Vertices2&, const ElementGeometry2&, const ElementRun2&,
                                        const ElementRun2&) const {
   return kNothing;

@@ -18,6 +18,7 @@ namespace hottel {
 class PairMethod2 : public ElementMethod2 {
  public:
   const MethodInfo& info() const final { return info_; }
+  FactorsOfPairs factors_of_pairs(const PreparedScene2& prepared) const final;
   std::optional<double> declared_error(const PreparedScene2& prepared) const final;
   // COST: that of the exact matrix, once.
   ClaimedErrors claimed_errors(const PreparedScene2& prepared) const final;

@@ -19,7 +19,11 @@ ComparisonReference<PreparedScene3> reference_of(const Simulation3& simulation, 
                                                                        .store = asked.store}});
   const auto prepared = by_elements.prepared(progress);
   const auto computed = by_elements.factors(progress);
-  return {prepared, {computed, &computed->matrix}, *by_elements.light_shares(progress), asked.tolerance};
+  return {prepared,
+          {computed, &computed->matrix},
+          *by_elements.light_shares(progress),
+          asked.tolerance,
+          asked.must_be_enclosed};
 }
 
 }  // namespace
@@ -27,10 +31,10 @@ ComparisonReference<PreparedScene3> reference_of(const Simulation3& simulation, 
 MethodComparison3::MethodComparison3(const Simulation3& simulation, const StageProgress& progress)
     : MethodComparison(reference_of(simulation, progress)) {}
 
-void add_verdict(const MethodComparison3& comparison, double beyond, MethodResult& result) {
+void add_verdict(const MethodComparison3& comparison, double beyond, MethodResult& result, const VerdictWatch& watch) {
   if (!result.report.written) return;
   const Verdict verdict = judge(comparison.prepared(), comparison.exact(), result.matrix,
-                                {.beyond = beyond, .written = *result.report.written});
+                                {.beyond = beyond, .written = *result.report.written}, watch);
   std::ranges::move(verdict_sentences(verdict, comparison.exact()), std::back_inserter(result.notes));
 }
 

@@ -3,6 +3,7 @@
 
 #include "geometry/space/prepared/prepared_scene.h"
 #include "solver/compare/method_comparison.h"
+#include "solver/compare/verdict.h"
 #include "solver/space/methods/exchange_method.h"
 #include "solver/space/simulation/simulation.h"
 
@@ -21,7 +22,8 @@ class MethodComparison3 : public MethodComparison<PreparedScene3> {
 
 // Adds the verdict in words to the notes of a result whose factors were read from a file or came from a command; does
 // nothing to others. REQUIRES a result of this comparison, with its matrix. beyond: as in VerdictOptions.
-void add_verdict(const MethodComparison3& comparison, double beyond, MethodResult& result);
+void add_verdict(const MethodComparison3& comparison, double beyond, MethodResult& result,
+                 const VerdictWatch& watch = {});
 
 // Returns the exact light at the centres of the cells of a grid (illuminate_points), with that of lights, by the exact
 // radiosities. Throws RequestError where there are none. COST: that of illuminate_points.

@@ -1,5 +1,7 @@
 #include "solver/space/compare/verdict.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,8 +13,8 @@
 #include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/unobstructed/unobstructed.h"
 #include "kernel/support/failure.h"
-#include "solver/compare/approximate_factors.h"
 #include "solver/compare/judged_scene.h"
+#include "solver/compare/pairwise_methods.h"
 #include "solver/methods/gauss_rule.h"
 #include "solver/methods/vertex_variant.h"
 #include "solver/space/methods/cosine_kernel.h"
@@ -64,12 +66,26 @@ class JudgedScene3 final : public JudgedScene {
     return pair_place(b.centre - a.centre, a.normal, b.normal);
   }
 
-  std::vector<ApproximateFactors> approximate_factors() const override {
-    return approximate_factors_of(methods_3(), prepared_);
+  std::vector<PairwiseMethod> pairwise_methods() const override {
+    std::vector<PairwiseMethod> methods = pairwise_methods_of(methods_3(), prepared_);
+    methods.push_back({"center-vis",
+                       [this](std::uint32_t from, std::uint32_t to) { return factor_by(PointRule::kCenter, from, to); },
+                       true});
+    return methods;
   }
 
-  ExchangeMatrix uniform_factors() const override {
-    return uniform_factors_of(methods_3(), prepared_, geometry_.count());
+  ExchangeMatrix uniform_factors(std::uint32_t rays) const override {
+    return uniform_factors_of(methods_3(), prepared_, rays);
+  }
+
+  bool reaches_behind(std::uint32_t from, std::uint32_t to) const override {
+    for (const ElementPatch3& a : geometry_.patches(from))
+      for (const ElementPatch3& b : geometry_.patches(to)) {
+        const auto before = [&](const Vector3d& corner) { return dot(a.normal, corner - a.corners.front()); };
+        const auto [least, most] = std::ranges::minmax(b.corners, {}, before);
+        if (is_behind_in_part(before(least), before(most), std::sqrt(std::min(a.area, b.area)))) return true;
+      }
+    return false;
   }
 
   std::optional<ExchangeMatrix> factors_of_both_sides() const override {
@@ -124,8 +140,8 @@ class JudgedScene3 final : public JudgedScene {
 }  // namespace
 
 Verdict judge(const PreparedScene3& prepared, const ExchangeMatrix& exact, const ExchangeMatrix& matrix,
-              const VerdictOptions& options) {
-  return judge(JudgedScene3(prepared), exact, matrix, options);
+              const VerdictOptions& options, const VerdictWatch& watch) {
+  return judge(JudgedScene3(prepared), exact, matrix, options, watch);
 }
 
 }  // namespace hottel

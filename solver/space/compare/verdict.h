@@ -13,6 +13,6 @@ struct PreparedScene3;
 // COST: a few passes over both matrices; another exact matrix, of both sides of all polygons, when something is off;
 // and a measure for each pair that is off and exchanges nothing.
 Verdict judge(const PreparedScene3& prepared, const ExchangeMatrix& exact, const ExchangeMatrix& matrix,
-              const VerdictOptions& options);
+              const VerdictOptions& options, const VerdictWatch& watch = {});
 
 }  // namespace hottel

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 
 #include "kernel/support/parallel.h"
@@ -39,31 +40,44 @@ std::vector<char> open_elements(const ElementGeometry3& geometry, const SegmentV
 
 }  // namespace
 
-ExchangeMatrix PairMethod3::compute_elements(const PreparedScene3& prepared,
-                                             const std::function<void(double)>& progress, MethodReport& report) const {
-  const ElementGeometry3 geometry(prepared);
-  const SegmentVisibility3 visibility(prepared.blockers());
-  const PairsOfElements seen = pairs({prepared, geometry, visibility});
-  const auto contact = [&geometry](std::uint32_t i, std::uint32_t j) -> const ElementGeometry3::Contact* {
+PairsOfElements PairMethod3::pairs_and_contacts(const Setting& setting) const {
+  const auto contact = [&geometry = setting.geometry](std::uint32_t i,
+                                                      std::uint32_t j) -> const ElementGeometry3::Contact* {
     const auto contacts = geometry.contacts(i);
     const auto found =
         std::find_if(contacts.begin(), contacts.end(), [j](const ElementGeometry3::Contact& c) { return c.to == j; });
     return found == contacts.end() ? nullptr : &*found;
   };
-  const PairsOfElements with_contacts{
-      .append_partners =
-          [&](std::uint32_t i, std::vector<std::uint32_t>& partners) {
-            seen.append_partners(i, partners);
-            for (const ElementGeometry3::Contact& c : geometry.contacts(i)) partners.push_back(c.to);
-          },
-      .factors = [&](std::uint32_t i, std::uint32_t j) -> PairFactors {
-        const ElementGeometry3::Contact* const forth = contact(i, j);
-        return forth == nullptr ? seen.factors(i, j) : PairFactors{forth->factor, contact(j, i)->factor};
-      }};
+  const PairsOfElements seen = pairs(setting);
+  return {.append_partners =
+              [seen, &geometry = setting.geometry](std::uint32_t i, std::vector<std::uint32_t>& partners) {
+                seen.append_partners(i, partners);
+                for (const ElementGeometry3::Contact& c : geometry.contacts(i)) partners.push_back(c.to);
+              },
+          .factors = [seen, contact](std::uint32_t i, std::uint32_t j) -> PairFactors {
+            const ElementGeometry3::Contact* const forth = contact(i, j);
+            return forth == nullptr ? seen.factors(i, j) : PairFactors{forth->factor, contact(j, i)->factor};
+          }};
+}
+
+ExchangeMatrix PairMethod3::compute_elements(const PreparedScene3& prepared,
+                                             const std::function<void(double)>& progress, MethodReport& report) const {
+  const ElementGeometry3 geometry(prepared);
+  const SegmentVisibility3 visibility(prepared.blockers());
   return matrix_of_pairs({.elements = geometry.table().elements(),
                           .has_row = [&geometry](std::uint32_t i) { return geometry.has_row(i); },
                           .is_open = open_elements(geometry, visibility)},
-                         with_contacts, progress, report);
+                         pairs_and_contacts({prepared, geometry, visibility}), progress, report);
+}
+
+ExchangeMethod3::FactorsOfPairs PairMethod3::factors_of_pairs(const PreparedScene3& prepared) const {
+  struct Known {
+    explicit Known(const PreparedScene3& of) : geometry(of), visibility(of.blockers()) {}
+    ElementGeometry3 geometry;
+    SegmentVisibility3 visibility;
+  };
+  const auto known = std::make_shared<const Known>(prepared);
+  return one_way(pairs_and_contacts({prepared, known->geometry, known->visibility}), known);
 }
 
 // The sky of an element of which no direction was found to be free is not what the others leave.

@@ -17,6 +17,7 @@ namespace hottel {
 class PairMethod3 : public ElementMethod3 {
  public:
   const MethodInfo& info() const final { return info_; }
+  FactorsOfPairs factors_of_pairs(const PreparedScene3& prepared) const final;
   // Proven of pairs that see each other wholly, by its rule (quadrature_claims.h); nothing without one.
   std::optional<double> declared_error(const PreparedScene3& prepared) const final;
   ClaimedErrors claimed_errors(const PreparedScene3& prepared) const final;
@@ -36,6 +37,9 @@ class PairMethod3 : public ElementMethod3 {
   virtual PairsOfElements pairs(const Setting& setting) const = 0;
 
  private:
+  // The same, and what lies on each other.
+  PairsOfElements pairs_and_contacts(const Setting& setting) const;
+
   MethodInfo info_;
   std::optional<PatchRule3> rule_;
 };

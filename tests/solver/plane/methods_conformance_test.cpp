@@ -100,6 +100,16 @@ void expect_claims_to_hold(const ExchangeMethod2& method, const SceneCase& scene
   }
 }
 
+// ExchangeMethod (7).
+void expect_pairs_to_be_entries(const ExchangeMethod2& method, const SceneCase& scene, const ExchangeMatrix& matrix) {
+  const ExchangeMethod2::FactorsOfPairs factor = method.factors_of_pairs(scene.prepared);
+  for (std::uint32_t i = 0; i < matrix.size() && factor; ++i)
+    for (std::uint32_t j = 0; j < matrix.size() && matrix.has_row(i); ++j)
+      if (i != j) {
+        EXPECT_EQ(std::max(factor(i, j), 0.0), matrix.factor(i, j).value) << i << " " << j;
+      }
+}
+
 void expect_conformance(const std::string& name, const SceneCase& scene) {
   const auto method = catalogue().make(name);
   EXPECT_EQ(method->info().name, name);
@@ -119,6 +129,7 @@ void expect_conformance(const std::string& name, const SceneCase& scene) {
     EXPECT_EQ(again.row_defect, report.row_defect);
   }
   expect_claims_to_hold(*method, scene, matrix);
+  expect_pairs_to_be_entries(*method, scene, matrix);
 }
 
 struct NamedMethod {

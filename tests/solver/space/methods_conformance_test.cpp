@@ -138,6 +138,25 @@ TEST_P(AnalyticMethods3, StayWithinTheErrorTheyClaim) {
   }
 }
 
+// ExchangeMethod (7).
+TEST_P(AnalyticMethods3, FactorsOfPairsAreEntries) {
+  const Known& scene = known(GetParam());
+  std::size_t with_pairs = 0;
+  for (const std::string& name : kMethods) {
+    const auto method = methods_3().make(name);
+    const ExchangeMethod3::FactorsOfPairs factor = method->factors_of_pairs(scene.prepared);
+    if (!factor) continue;
+    ++with_pairs;
+    const ExchangeMatrix matrix = by(name, scene);
+    for (std::uint32_t i = 0; i < matrix.size(); ++i)
+      for (std::uint32_t j = 0; j < matrix.size() && matrix.has_row(i); ++j)
+        if (i != j) {
+          EXPECT_EQ(std::max(factor(i, j), 0.0), matrix.factor(i, j).value) << name << " " << i << " " << j;
+        }
+  }
+  EXPECT_GE(with_pairs, 4U);
+}
+
 TEST_P(AnalyticMethods3, ThoseThatLookEverywhereCloseTheirRows) {
   const Known& scene = known(GetParam());
   for (const char* method : {"points:3", "hemicube:64", "hemicube:64:uniform", "rays:4096:sobol"}) {

@@ -4,8 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string>
 
 #include "viewer/picture/comparison_plot.h"
 #include "viewer/picture/recording_canvas.h"
@@ -182,7 +186,7 @@ TEST(ComparisonPlot, MakesALevelOfWhatHasNoPlaceAlongX) {
   EXPECT_EQ(by_time.curves[2].name, "own");
   EXPECT_TRUE(by_time.curves[2].is_level);
   EXPECT_FALSE(by_time.curves[1].is_level);
-  const LogPlot by_parameter = comparison_plot(some_results(), {PlotX::kParameter, PlotY::kRmsError}, "", "");
+  const LogPlot by_parameter = comparison_plot(some_results(), {PlotX::kParameter, ErrorKind::kRmsFactor}, "", "");
   ASSERT_EQ(by_parameter.curves.size(), 3u);
   EXPECT_EQ(by_parameter.curves[0].points[1].x, 2);
   EXPECT_EQ(by_parameter.curves[0].points[1].y, 0.025);
@@ -191,8 +195,40 @@ TEST(ComparisonPlot, MakesALevelOfWhatHasNoPlaceAlongX) {
   EXPECT_EQ(by_parameter.emphasised, -1);
 }
 
+// LogPlotPainter (4): colours and lengths of strokes tell thirty curves apart.
+TEST(LogPlot, TellsThirtyCurvesApart) {
+  LogPlot plot;
+  for (int k = 0; k < 30; ++k) plot.curves.push_back({"c" + std::to_string(k), {{1, 1.0 + k}, {10, 1.0 + k}}});
+  const RecordingCanvas canvas = drawn(plot);
+  std::set<std::array<double, 4>> looks;
+  const LogPlotPainter painter(plot);
+  for (int k = 0; k < 30; ++k) {
+    const double y = painter.at(1, 1.0 + k).y;
+    std::array<double, 4> look{};
+    for (const auto& stroke : canvas.calls(Mark::kCurve))
+      if (std::abs(stroke.points[0].y - y) < 1e-6)
+        look = {stroke.colour.r, stroke.colour.g, stroke.colour.b,
+                std::max(look[3], std::round(stroke.points[1].x - stroke.points[0].x))};
+    EXPECT_GT(look[3], 0) << k;
+    looks.insert(look);
+  }
+  EXPECT_EQ(looks.size(), 30U);
+}
+
+// LogPlotPainter (6).
+TEST(LogPlot, HasNoAxisWithoutAPlaceAlongIt) {
+  LogPlot plot;
+  plot.x_title = "time";
+  plot.x_is_seconds = true;
+  plot.curves.push_back({"file", {{NAN, 0.1}}, true});
+  EXPECT_FALSE(drawn(plot).wrote("time"));
+  EXPECT_FALSE(drawn(plot).wrote("1 s"));
+  plot.curves.push_back({"exact", {{1, 0.1}}});
+  EXPECT_TRUE(drawn(plot).wrote("time"));
+}
+
 TEST(ComparisonPlot, LeavesOutWhatHasNoSuchError) {
-  const LogPlot plot = comparison_plot(some_results(), {PlotX::kTime, PlotY::kRadiosityError}, "", "");
+  const LogPlot plot = comparison_plot(some_results(), {PlotX::kTime, ErrorKind::kRadiosity}, "", "");
   ASSERT_EQ(plot.curves.size(), 1u);
   ASSERT_EQ(plot.curves[0].points.size(), 1u);
   EXPECT_EQ(plot.curves[0].points[0].y, 0.25);
