@@ -33,7 +33,7 @@ constexpr double kSecondsPerMixed = 1e-4, kSecondsPerBetween = 2e-5;
 // of which is asked what stands before the sky.
 constexpr std::size_t kMostDrawn = 20000, kMostAsked = 1000, kMostUnderSky = 40;
 // So many draws are enough where what they measure costs that part of all, or so many seconds; and at most.
-constexpr double kUsualDraws = 8, kEnoughOfAll = 0.03, kEnoughSeconds = 0.2;
+constexpr double kUsualDraws = 8, kEnoughOfAll = 0.015, kEnoughSeconds = 0.2;
 constexpr std::size_t kMostDraws = 200;
 constexpr double kGoldenPart = 0.6180339887498949;
 

@@ -37,8 +37,8 @@ TEST(SampledCost, ExtrapolatesToAllPairs) {
                                 {"lattice-boxes", 8}}) {
     const Scene3 scene = generated(kind, static_cast<std::uint64_t>(n), 3);
     const double said = factors_of(cost_of(scene)), looks = looks_of(scene);
-    EXPECT_GT(said, looks / 2.5) << kind;
-    EXPECT_LT(said, looks * 2.5 + 0.02) << kind;
+    EXPECT_GT(said, looks / 3) << kind;
+    EXPECT_LT(said, looks * 3 + 0.02) << kind;
   }
 }
 
