@@ -12,7 +12,8 @@ namespace hottel {
 //       the same everywhere
 //   (2) else what was measured by an earlier run of this version, and kept in $XDG_CACHE_HOME/hottel/speed, or
 //       ~/.cache/hottel/speed
-//   (3) else it is measured now, in about a hundredth of a second, and kept; where it cannot be, nothing is said of it
+//   (3) else it is measured now, in about a hundredth of a second of the processor, and kept; where it cannot be,
+//   nothing is said of it
 // Does not throw. COST: reading a small file.
 MachineSpeed machine_speed() noexcept;
 

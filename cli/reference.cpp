@@ -1,11 +1,13 @@
 // hottel reference: a folder of scenes with their exact solutions, which others can cite and test against.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
 #include "cli/command.h"
 #include "cli/guarantee_option.h"
+#include "cli/room_for_elements.h"
 #include "cli/scene_input.h"
 #include "cli/unit_notes.h"
 #include "geometry/plane/prepared/element_pieces.h"
@@ -14,9 +16,12 @@
 #include "geometry/space/prepared/prepared_scene.h"
 #include "io/files/output_file.h"
 #include "io/files/text_file.h"
+#include "io/results/npy.h"
+#include "io/results/plane/light_region.h"
 #include "io/results/reference_set.h"
 #include "io/results/space/element_files.h"
 #include "io/results/space/factors_report.h"
+#include "io/results/space/light_region.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/counted.h"
 #include "kernel/support/failure.h"
@@ -33,6 +38,11 @@ struct ReferenceOptions {
   std::optional<std::string> tolerance;
   GuaranteeOption guarantee;
   PolygonOptions polygons;
+  ElementOptions elements;
+  std::string grid;
+
+  // Whether a scene is to be another than its file says.
+  bool changes_scenes() const { return elements.is_given() || !grid.empty(); }
 };
 
 // What factors of a set in space may be off, where nothing is said: less than others are likely to ask for.
@@ -44,25 +54,42 @@ struct GivenScene {
   std::string text;
 };
 
-GivenScene given_scene(const std::string& file, const PolygonOptions& polygons, const Streams& streams) {
-  polygons.require_sense_for(file);
-  bool names_files = false;
-  GivenScene given;
-  if (std::filesystem::path(file).extension() == ".json") {
-    given.text = read_text_file(file);
-    given.scene = parse_scene(given.text, file, [&](const std::filesystem::path& mesh) {
-      names_files = true;
-      return read_text_file(mesh);
-    });
-    if (!names_files) return given;
-  } else {
-    given.scene = read_scene_noting(file, polygons, streams);
+// Reads a scene. Returns whether its file by itself holds it.
+bool read_given(const std::string& file, const ReferenceOptions& options, const Streams& streams, GivenScene& given) {
+  if (std::filesystem::path(file).extension() != ".json") {
+    given.scene = read_scene_noting(file, options.polygons, streams);
+    return false;
   }
-  // Maps and drawings as polylines, meshes and decks as polygons, and what these come to when they are read.
-  given.text = naming_file(file, [&] {
-    const auto* const plane = std::get_if<Scene2>(&given.scene);
-    return plane != nullptr ? write_scene_2(*plane) : write_scene_3(std::get<Scene3>(given.scene));
+  bool names_files = false;
+  given.text = read_text_file(file);
+  given.scene = parse_scene(given.text, file, [&](const std::filesystem::path& mesh) {
+    names_files = true;
+    return read_text_file(mesh);
   });
+  return !names_files;
+}
+
+// Divides a scene, and its grid, as asked for.
+template <class AnyScene>
+void change(const ReferenceOptions& options, AnyScene& scene) {
+  options.elements.apply_to(scene);
+  if (!options.grid.empty()) scene.grid = grid_of(scene, options.grid);
+}
+
+std::string text_of(const std::string& file, const Scene& scene) {
+  return naming_file(file, [&] {
+    const auto* const plane = std::get_if<Scene2>(&scene);
+    return plane != nullptr ? write_scene_2(*plane) : write_scene_3(std::get<Scene3>(scene));
+  });
+}
+
+// Maps and drawings become polylines, meshes and decks polygons; divided scenes say so.
+GivenScene given_scene(const std::string& file, const ReferenceOptions& options, const Streams& streams) {
+  options.polygons.require_sense_for(file);
+  GivenScene given;
+  if (read_given(file, options, streams, given) && !options.changes_scenes()) return given;
+  std::visit([&](auto& scene) { change(options, scene); }, given.scene);
+  given.text = text_of(file, given.scene);
   try {
     given.scene = parse_scene(given.text, file);
   } catch (const InputError& error) {
@@ -72,21 +99,49 @@ GivenScene given_scene(const std::string& file, const PolygonOptions& polygons, 
   return given;
 }
 
+// Light on the grid of a scene, where it has one.
+std::shared_ptr<const SolvedLight2> light_of(const Simulation2& simulation, const Streams& streams) {
+  return simulation.scene().grid ? simulation.light(streams.stages()) : nullptr;
+}
+
+std::shared_ptr<const IlluminationGrid3> light_of(const Simulation3& simulation, const Streams& streams) {
+  return simulation.grid() ? simulation.light(streams.stages()) : nullptr;
+}
+
+std::optional<ReferenceLight> reference_light(const SolvedLight2* light, const RadiositySolution& solution) {
+  if (light == nullptr) return std::nullopt;
+  const IlluminationGrid2& cells = light->grid;
+  return ReferenceLight{{cells.grid.ny, cells.grid.nx, cells.channels},
+                        cells.values,
+                        illumination_sidecar(region_of(cells.grid), solution.channel_names, "point")};
+}
+
+std::optional<ReferenceLight> reference_light(const IlluminationGrid3* light, const RadiositySolution& solution) {
+  if (light == nullptr) return std::nullopt;
+  return ReferenceLight{{light->grid.nv, light->grid.nu, light->channels},
+                        light->values,
+                        illumination_sidecar(region_of(light->grid), solution.channel_names)};
+}
+
 SceneReference refer_in_plane(const std::string& name, GivenScene given, const Streams& streams) {
   const Simulation2 simulation(std::get<Scene2>(std::move(given.scene)),
                                {.granularity = Granularity::kElement, .wants_visibility = true});
   const auto factors = simulation.factors(streams.stages());
   const auto solution = simulation.radiosities(streams.stages());
+  const auto light = light_of(simulation, streams);
   const Scene2& scene = simulation.scene();
   const FactorTable table{scene, factors->matrix, Granularity::kElement};
-  return scene_reference(name, std::move(given.text),
+  return scene_reference(name, reference_units_2(scene), std::move(given.text),
                          {.scene = scene,
                           .matrix = factors->matrix,
                           .solution = *solution,
                           .counts = factor_counts(factors->report.counts),
-                          .write_faces = [&](const Sink& sink) {
-                            write_faces_csv(table, element_pieces(*simulation.prepared(), Granularity::kElement), sink);
-                          }});
+                          .write_faces =
+                              [&](const Sink& sink) {
+                                write_faces_csv(table, element_pieces(*simulation.prepared(), Granularity::kElement),
+                                                sink);
+                              },
+                          .light = reference_light(light.get(), *solution)});
 }
 
 SceneReference refer_in_space(const std::string& name, GivenScene given, double tolerance, bool must_be_enclosed,
@@ -99,34 +154,57 @@ SceneReference refer_in_space(const std::string& name, GivenScene given, double 
   const auto prepared = simulation.prepared();
   const auto factors = simulation.factors(streams.stages());
   const auto solution = simulation.radiosities(streams.stages());
+  const auto light = light_of(simulation, streams);
   const FactorTable table{prepared->scene, factors->matrix, Granularity::kElement};
-  return scene_reference(name, std::move(given.text),
+  return scene_reference(name, reference_units_3(prepared->scene), std::move(given.text),
                          {.scene = prepared->scene,
                           .matrix = factors->matrix,
                           .solution = *solution,
                           .counts = factor_counts(factors->report),
                           .max_defect = factors->report.max_defect,
                           .tolerance = tolerance,
-                          .write_faces = [&](const Sink& sink) {
-                            const ElementTable3& elements = *prepared->elements(Granularity::kElement);
-                            write_faces_csv_3(table, written_outlines(elements, prepared->blockers().vertices()), sink);
-                          }});
+                          .write_faces =
+                              [&](const Sink& sink) {
+                                const ElementTable3& elements = *prepared->elements(Granularity::kElement);
+                                write_faces_csv_3(table, written_outlines(elements, prepared->blockers().vertices()),
+                                                  sink);
+                              },
+                          .light = reference_light(light.get(), *solution)});
 }
 
 // The factors of all elements and the radiosities of one scene.
-SceneReference refer(const ReferenceOptions& options, const std::string& file, const std::string& name,
+SceneReference refer(const ReferenceOptions& options, const std::string& name, GivenScene given,
                      const Streams& streams) {
-  GivenScene given = given_scene(file, options.polygons, streams);
+  std::visit([](const auto& scene) { require_room_for_solving(scene, std::nullopt); }, given.scene);
   require_light_in_watts(given.scene);
   note_unknown_unit(given.scene, streams);
-  if (std::holds_alternative<Scene3>(given.scene))
-    return refer_in_space(name, std::move(given), tolerance_of(options.tolerance, kTolerance),
-                          options.guarantee.must_be_enclosed(), streams);
+  if (std::holds_alternative<Scene2>(given.scene)) return refer_in_plane(name, std::move(given), streams);
+  return refer_in_space(name, std::move(given), tolerance_of(options.tolerance, kTolerance),
+                        options.guarantee.must_be_enclosed(), streams);
+}
+
+std::vector<GivenScene> given_scenes(const ReferenceOptions& options, const Streams& streams) {
+  std::vector<GivenScene> scenes;
+  for (const std::string& file : options.scenes) scenes.push_back(given_scene(file, options, streams));
+  return scenes;
+}
+
+// Options of scenes in space are of those that there are in a set.
+void require_some_in_space(const ReferenceOptions& options, const std::vector<GivenScene>& scenes) {
+  if (std::ranges::any_of(scenes, [](const GivenScene& given) { return std::holds_alternative<Scene3>(given.scene); }))
+    return;
   if (options.tolerance)
-    throw UsageError("--tolerance is for scenes in space: in the plane, as " + file +
+    throw UsageError("--tolerance is for scenes in space: in the plane, as " + options.scenes.front() +
                      " is, every factor is correctly rounded");
   options.guarantee.refuse_in_plane();
-  return refer_in_plane(name, std::move(given), streams);
+}
+
+// What was asked of all scenes together, as it is typed: the scenes of the set say the rest.
+std::string said_of_factors(const ReferenceOptions& options) {
+  std::string said;
+  if (options.tolerance) said += " --tolerance " + *options.tolerance;
+  if (options.guarantee.asked) said += " --guarantee " + *options.guarantee.asked;
+  return said;
 }
 
 // The name of a scene in the set: of its file, or of the folder of a scene.json.
@@ -142,14 +220,18 @@ ExitCode reference(const ReferenceOptions& options, Streams& streams) {
     if (!names.insert(name_of(file)).second)
       throw UsageError("two scenes are called '" + name_of(file) + "': names of scenes in a set must differ");
 
+  std::vector<GivenScene> given = given_scenes(options, streams);
+  require_some_in_space(options, given);
   std::vector<SceneReference> scenes;
-  for (const std::string& file : options.scenes) {
-    const SceneReference& scene = scenes.emplace_back(refer(options, file, name_of(file), streams));
-    streams.note(fmt::format("{}: {}, {}, {}; radiosities of these elements {}, bounds within {:.1e} of the value",
-                             scene.name, counted(scene.counts.elements, "element"), counted(scene.factors, "factor"),
-                             to_string(scene.of_factors), to_string(scene.of_radiosities), scene.max_relative_width));
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    const SceneReference& scene =
+        scenes.emplace_back(refer(options, name_of(options.scenes[k]), std::move(given[k]), streams));
+    streams.note(
+        fmt::format("{}: {}, {}, {}; discrete radiosities of these elements {}, bounds within {:.1e} of the value",
+                    scene.name, counted(scene.counts.elements, "element"), counted(scene.factors, "factor"),
+                    to_string(scene.of_factors), to_string(scene.of_radiosities), scene.max_relative_width));
   }
-  const std::vector<SetFile> files = set_files(std::move(scenes));
+  const std::vector<SetFile> files = set_files(std::move(scenes), said_of_factors(options));
 
   const std::filesystem::path directory = options.directory;
   const OutputFolder whole(directory);
@@ -172,14 +254,22 @@ void add_reference(Commands& commands) {
   const auto options = std::make_shared<ReferenceOptions>();
   CLI::App& command = commands.add(
       "reference",
-      "Write a set of reference solutions: scenes, factors, radiosities of their elements with bounds, checksums",
-      {"hottel reference /tmp/set scenes/showcase/apartment.json scenes/analytic/square_radiosity.json",
+      "Write a set of reference solutions: scenes, factors, radiosities of their elements (a discrete problem) with "
+      "bounds, light on "
+      "their grids, checksums",
+      {"hottel reference /tmp/set scenes/showcase/apartment.json scenes/analytic/square_radiosity.json --grid 32x24",
+       "hottel reference /tmp/squares scenes/analytic/square_radiosity.json --elements 8",
        "hottel reference /tmp/rooms scenes/space/two_boxes.json scenes/space/cube.json",
        "hottel compare /tmp/set/square_radiosity/scene.json --methods file:/tmp/set/square_radiosity/factors.csv "
        "-o /tmp/compared"},
       [options](Streams& streams) { return reference(*options, streams); });
   command.add_option("DIR", options->directory, "the folder to write into, created")->required();
   command.add_option("SCENES", options->scenes, "scene files; scene.json is named after its folder")->required();
+  options->elements.add_to(command);
+  command
+      .add_option("--grid", options->grid,
+                  "cells of the light, as solve takes them; without it light is of the scenes that have a grid")
+      ->type_name("NXxNY");
   options->polygons.add_front_to(command);
   command
       .add_option("--tolerance", options->tolerance,

@@ -16,12 +16,12 @@
 #include "io/foreign/plane/foreign_matrix.h"
 #include "io/results/npy.h"
 #include "io/results/plane/check_report.h"
+#include "io/results/plane/light_region.h"
 #include "io/results/short_digits.h"
 #include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
-#include "kernel/written_double.h"
 #include "solver/plan_speed.h"
 #include "solver/plane/light/oriented_lights.h"
 #include "solver/plane/simulation/refined.h"
@@ -176,11 +176,6 @@ std::map<std::string, double> seconds_of(const Results& results) {
   if (results.light) seconds["illumination"] = results.light->seconds;
   if (results.picture) seconds["picture"] = results.picture->seconds;
   return seconds;
-}
-
-GridRegion region_of(const Grid2& grid) {
-  const auto told = [](const Point2& p) { return std::array{written_double(p.x), written_double(p.y)}; };
-  return {told(grid.min), told(grid.max), grid.nx, grid.ny};
 }
 
 std::string picture_of(const SolveOptions& options, const Simulation2& simulation, const Results& results,

@@ -21,11 +21,11 @@
 #include "io/results/solve_report.h"
 #include "io/results/space/check_report.h"
 #include "io/results/space/factors_report.h"
+#include "io/results/space/light_region.h"
 #include "io/results/space/radiosity_vtu.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
-#include "kernel/written_double.h"
 #include "solver/plan_speed.h"
 #include "solver/space/check/lost_light.h"
 #include "solver/space/light/oriented_lights.h"
@@ -90,13 +90,6 @@ struct GridFiles {
   }
 
  private:
-  static PlanarRegion region_of(const Grid3& grid) {
-    const auto told = [](const auto& p) {
-      return std::array{written_double(p.x), written_double(p.y), written_double(p.z)};
-    };
-    return {told(grid.origin), told(grid.u), told(grid.v), grid.nu, grid.nv};
-  }
-
   // What is shown at the centres of cells, on areas that look along u x v.
   void write_shown(const Simulation3& simulation, const Shown& shown, const GridPicture3& how, const Streams& streams,
                    std::map<std::string, double>& seconds) {

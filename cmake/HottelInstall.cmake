@@ -29,6 +29,7 @@ install(FILES "${PROJECT_BINARY_DIR}/hottel-config.cmake" "${PROJECT_BINARY_DIR}
               "${PROJECT_SOURCE_DIR}/cmake/FindArb.cmake" "${PROJECT_SOURCE_DIR}/cmake/FindGmpxx.cmake"
         DESTINATION "${package_directory}" COMPONENT library)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/CHANGES.md" "${PROJECT_SOURCE_DIR}/README.md"
+              "${PROJECT_SOURCE_DIR}/CITATION.cff"
         DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program OPTIONAL)
 # What the README points to, where it points to it.
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" "${PROJECT_SOURCE_DIR}/scenes" DESTINATION "${CMAKE_INSTALL_DOCDIR}"

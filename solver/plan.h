@@ -20,8 +20,9 @@ struct PlannedEffect {
 
 // What is asked beyond the scene itself.
 struct PlanRequest {
-  bool everything = false;       // --simulate everything: every effect is used, whatever the scene says
-  std::uint64_t grid_cells = 0;  // cells of the illumination grid; 0: none is wanted
+  bool everything = false;        // --simulate everything: every effect is used, whatever the scene says
+  std::uint64_t grid_cells = 0;   // cells of the illumination grid; 0: none is wanted
+  std::uint32_t longer_side = 0;  // of that grid in the plane, in cells; 0: it is a square
   friend bool operator==(const PlanRequest&, const PlanRequest&) = default;
 };
 

@@ -4,8 +4,11 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "geometry/unit_of_length.h"
 #include "io/files/text_file.h"
+#include "io/results/npy.h"
 #include "io/results/radiosity_files.h"
+#include "io/results/reference_pages.h"
 #include "kernel/version.h"
 
 namespace hottel {
@@ -20,6 +23,12 @@ std::string written(const std::function<void(const Sink&)>& write) {
 nlohmann::ordered_json manifest_entry(const SceneReference& scene) {
   nlohmann::ordered_json json;
   json["name"] = scene.name;
+  json["problem"] = {{"is", "discrete"},
+                     {"radiosity", "constant on each element"},
+                     {"unknowns", scene.unknowns},
+                     {"channels", scene.channels}};
+  json["units"] = {
+      {"coordinates", scene.units.coordinates}, {"areas", scene.units.areas}, {"radiosities", scene.units.radiosities}};
   json["counts"] = {{"surfaces", scene.counts.surfaces},
                     {"elements", scene.counts.elements},
                     {"vertices", scene.counts.vertices},
@@ -32,62 +41,53 @@ nlohmann::ordered_json manifest_entry(const SceneReference& scene) {
     json["factors"]["estimated"] = scene.factors - scene.enclosed;
     json["factors"]["max_defect"] = scene.max_defect;
   }
-  json["radiosities"] = {{"of", "these elements"},
+  json["radiosities"] = {{"of", "the discrete problem of these elements"},
                          {"guarantee", to_string(scene.of_radiosities)},
                          {"max_relative_width", scene.max_relative_width}};
+  if (scene.light) json["light"] = {{"quantity", "mean irradiance"}, {"shape", *scene.light}, {"guarantee", "none"}};
   json["files"] = nlohmann::ordered_json::array();
   for (const SetFile& file : scene.files)
     json["files"].push_back({{"file", file.path}, {"bytes", file.text.size()}, {"sha256", sha256(file.text)}});
   return json;
 }
 
-constexpr const char* kReadme =
-    R"(Reference solutions of diffuse light, computed by hottel {version}.
+ReferenceUnits units_of(const SceneTable& scene, const char* area, const char* radiosity) {
+  const std::string length = length_unit(scene);
+  return {length, (has_known_unit(scene) ? "m" : length) + area, radiosity};
+}
 
-One folder a scene:
+void add_light(const std::string& folder, const ReferenceLight& light, SceneReference& scene) {
+  scene.light = light.shape;
+  scene.files.push_back(
+      {folder + "illumination.npy", written([&](const Sink& sink) { write_npy(light.shape, light.values, sink); })});
+  scene.files.push_back({folder + "illumination.npy.json", light.sidecar});
+}
 
-  scene.json              the scene, as it was given (one from meshes or a deck: its polygons); coordinates are the
-                          decimals as typed
-  factors.csv             view factors F(from, to) of all elements that see each other. The real number lies in
-                          [lower, upper], proven; Vis is the visible part (S / S0). In the plane each factor is the
-                          double nearest to it. In space its guarantee says what is known of the double: `enclosed` is
-                          within `tolerance` (reference.json) of the smaller area over its own, proven; `estimated` is
-                          within as much by two rules of quadrature that agree and a check that every pair passes
-  factors.mtx             the same in Matrix Market's format; rows and columns as in the next file, the sky last
-  factors.mtx.faces.csv   the elements: number, face, part, area, material, and end points (in the plane; front on the
-                          right of 0 -> 1) or corners (in space; counter-clockwise seen from the front)
-  radiosity.csv           B, irradiance and net of each element and channel. These elements are the problem: B is
-                          constant on each, and finer elements have another solution. Of them the true B lies in
-                          [lower, upper], proven, where `radiosities` of reference.json are enclosed; else these are
-                          bounds of what the factors as computed give
-
-reference.json says how many of each there are and what is guaranteed; SHA256SUMS holds the checksums of all files.
-
-To check the files:             sha256sum -c SHA256SUMS
-To judge your own factors:      hottel compare NAME/scene.json --methods file:YOUR_FACTORS.csv
-To compute the set again:       hottel reference DIR NAME/scene.json    (scenes are named after their folder then)
-To cite it: name hottel {version} and the checksum of SHA256SUMS. The same version writes the same bytes.
-)";
-
-std::string readme() {
-  std::string text = kReadme;
-  const std::string place = "{version}";
-  for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place, at))
-    text.replace(at, place.size(), kVersion);
-  return text;
+// Counts of the matrix, and what is known of it.
+void add_counts(const SolvedScene& solved, SceneReference& scene) {
+  const ExchangeMatrix& matrix = solved.matrix;
+  scene.counts = solved.counts;
+  scene.factors = matrix.entry_count();
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    scene.unknowns += matrix.has_row(i) ? 1 : 0;
+    for (std::size_t k = 0; k < matrix.row(i).size(); ++k)
+      scene.enclosed += matrix.guarantee(i, k) == Guarantee::kEstimated ? 0 : 1;
+  }
 }
 
 }  // namespace
 
-SceneReference scene_reference(const std::string& name, std::string text, const SolvedScene& solved) {
+ReferenceUnits reference_units_2(const SceneTable& scene) { return units_of(scene, "", "W/m"); }
+ReferenceUnits reference_units_3(const SceneTable& scene) { return units_of(scene, "²", "W/m²"); }
+
+SceneReference scene_reference(const std::string& name, ReferenceUnits units, std::string text,
+                               const SolvedScene& solved) {
   const ExchangeMatrix& matrix = solved.matrix;
   SceneReference result;
   result.name = name;
-  result.counts = solved.counts;
-  result.factors = matrix.entry_count();
-  for (std::uint32_t i = 0; i < matrix.size(); ++i)
-    for (std::size_t k = 0; k < matrix.row(i).size(); ++k)
-      result.enclosed += matrix.guarantee(i, k) == Guarantee::kEstimated ? 0 : 1;
+  result.units = std::move(units);
+  result.channels = solved.solution.channel_names;
+  add_counts(solved, result);
   result.of_factors = matrix.guarantee();
   result.of_radiosities = solved.solution.guarantee;
   result.max_defect = solved.max_defect;
@@ -102,12 +102,16 @@ SceneReference scene_reference(const std::string& name, std::string text, const 
   result.files.push_back({folder + "radiosity.csv", written([&](const Sink& sink) {
                             write_radiosity_csv(solved.scene, matrix, solved.solution, sink);
                           })});
+  if (solved.light) add_light(folder, *solved.light, result);
   return result;
 }
 
-std::vector<SetFile> set_files(std::vector<SceneReference> scenes) {
+std::vector<SetFile> set_files(std::vector<SceneReference> scenes, const std::string& options) {
+  const std::string command = "hottel reference AGAIN */scene.json" + options;
   nlohmann::ordered_json manifest;
   manifest["hottel"] = kVersion;
+  manifest["licence"] = "CC0-1.0";
+  manifest["made_by"] = command;
   manifest["scenes"] = nlohmann::ordered_json::array();
   std::vector<SetFile> files;
   for (SceneReference& scene : scenes) {
@@ -115,7 +119,8 @@ std::vector<SetFile> set_files(std::vector<SceneReference> scenes) {
     std::move(scene.files.begin(), scene.files.end(), std::back_inserter(files));
   }
   files.push_back({"reference.json", manifest.dump(2) + "\n"});
-  files.push_back({"README.txt", readme()});
+  files.push_back({"README.md", reference_readme(command)});
+  files.push_back({"LICENSE.txt", reference_licence()});
   std::string sums;
   for (const SetFile& file : files) sums += sha256(file.text) + "  " + file.path + "\n";
   files.push_back({"SHA256SUMS", std::move(sums)});

@@ -1,9 +1,12 @@
 // A set of reference solutions as files: scenes with their exact factors and radiosities, a manifest and checksums.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +23,14 @@ struct SetFile {
   std::string path, text;
 };
 
+// Mean irradiance on the grid of a scene: numbers in C order by that shape, the channels last, and what is said of
+// them.
+struct ReferenceLight {
+  std::array<std::size_t, 3> shape{};
+  std::span<const double> values;
+  std::string sidecar;
+};
+
 // What is known of a scene: its exact method's matrix by elements, and its solution.
 struct SolvedScene {
   const SceneTable& scene;
@@ -29,11 +40,21 @@ struct SolvedScene {
   double max_defect = 0;                              // of sums of rows
   std::optional<double> tolerance = {};               // of factors in space
   std::function<void(const Sink&)> write_faces = {};  // factors.mtx.faces.csv
+  std::optional<ReferenceLight> light = {};           // where the scene has a grid
 };
 
-// One scene of the set.
+// What numbers of a scene are in, by its dimension and unit of length (docs/outputs.md).
+struct ReferenceUnits {
+  std::string coordinates, areas, radiosities;
+};
+
+// One scene of the set. Its radiosities are of a discrete problem: constant on each element.
 struct SceneReference {
   std::string name;
+  ReferenceUnits units;
+  std::uint64_t unknowns = 0;  // elements with a material
+  std::vector<std::string> channels;
+  std::optional<std::array<std::size_t, 3>> light;  // shape
   FactorCounts counts;
   std::uint64_t factors = 0, enclosed = 0;  // entries, and how many of them are not estimated
   Guarantee of_factors = Guarantee::kExact, of_radiosities = Guarantee::kEnclosed;
@@ -43,15 +64,23 @@ struct SceneReference {
   std::vector<SetFile> files;     // in a folder of its name
 };
 
-// Returns the files of one scene: scene.json (`text`), factors.csv, factors.mtx, factors.mtx.faces.csv and
-// radiosity.csv.
-SceneReference scene_reference(const std::string& name, std::string text, const SolvedScene& solved);
+// Returns the files of one scene: scene.json (`text`), factors.csv, factors.mtx, factors.mtx.faces.csv, radiosity.csv,
+// and with light illumination.npy and illumination.npy.json. units: reference_units() of it.
+SceneReference scene_reference(const std::string& name, ReferenceUnits units, std::string text,
+                               const SolvedScene& solved);
 
-// Returns all files of a set: those of its scenes, then reference.json, README.txt, and SHA256SUMS of all before it.
+// Returns what numbers are in: areas and radiosities in SI where the unit of the scene is known, else by its name.
+ReferenceUnits reference_units_2(const SceneTable& scene);
+ReferenceUnits reference_units_3(const SceneTable& scene);
+
+// Returns all files of a set: those of its scenes, then reference.json, README.md and LICENSE.txt (reference_pages.h),
+// and SHA256SUMS of all before it.
 //
 //   (1) the same scenes in the same order give the same bytes: nothing depends on time, machine or threads
 //   (2) paths are from the folder of the set, as `sha256sum -c` wants them
+//   (3) options: what makes it again after `hottel reference DIR */scene.json`, begun by a blank where there is
+//   something
 // COST: all texts in memory.
-std::vector<SetFile> set_files(std::vector<SceneReference> scenes);
+std::vector<SetFile> set_files(std::vector<SceneReference> scenes, const std::string& options);
 
 }  // namespace hottel

@@ -23,8 +23,17 @@ constexpr double kSecondsPerCell = 2.0e-7;
 constexpr double kSecondsPerCellAndSeen = 1.2e-8;
 constexpr double kSeenTogether = 220;  // cells near each other share less of what they see where more of it hides
 constexpr double kSecondsPerShare = 1.0e-5;
-constexpr double kSecondsPerPicture = 0.12;  // of the usual size
+constexpr double kSecondsPerPixel = 8.0e-8;
+constexpr double kUsualSide = 1400;  // pixels along the longer side of a picture, at least
 constexpr std::uint64_t kSample = 64;
+
+// Pixels of a picture of the light: whole ones a cell.
+double pixels_of(const PlanRequest& request) {
+  const auto cells = static_cast<double>(request.grid_cells);
+  const double longer = request.longer_side > 0 ? request.longer_side : std::sqrt(cells);
+  const double along = std::ceil(kUsualSide / longer);
+  return cells * along * along;
+}
 
 }  // namespace
 
@@ -54,7 +63,7 @@ Plan plan_scene(const PreparedScene2& prepared, const PlanRequest& request) {
   draft.add(Plan::kIllumination, request.grid_cells > 0, counted(request.grid_cells, "cell"), "no grid is asked for",
             cells * (kSecondsPerCell + seen * kSecondsPerCellAndSeen));
   draft.add_as_asked(Plan::kPicture, request.grid_cells > 0, "the light in the rooms", "no grid is asked for",
-                     kSecondsPerPicture);
+                     request.grid_cells > 0 ? pixels_of(request) * kSecondsPerPixel : 0);
   draft.add_lights(n * kSecondsPerShare);
   draft.add_movement(has_moving_lights(scene));
   return draft.take();

@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <random>
 
 #include "geometry/sky_by_closure.h"
 #include "geometry/space/arrangement/arrangement.h"
 #include "geometry/space/arrangement/nothing_between.h"
 #include "geometry/space/exchange/facing.h"
-#include "geometry/space/pairs/pair_measure.h"
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/division.h"
@@ -18,22 +16,21 @@
 #include "kernel/support/counted.h"
 #include "solver/plan_draft.h"
 #include "solver/space/dividing/estimate.h"
+#include "solver/space/sampled_cost.h"
 
 namespace hottel {
 namespace {
 
-// What the rooms of scenes/space take, on one core: a pair that face each other with nothing there; what is more where
-// something may stand between, and for the square of how many surfaces may.
-constexpr double kSecondsPerPair = 2.0e-5;
-constexpr double kSecondsPerMixed = 1.0e-4;
-constexpr double kSecondsPerBetween = 2.0e-5;
+// What the scenes of benchmarks/plan_estimates.py take, on one core: to arrange a polygon; a pair that face each other
+// with nothing there.
+constexpr double kSecondsPerPolygon = 3.0e-4;
+constexpr double kSecondsPerPair = 1.8e-5;
 constexpr double kSecondsPerMap = 3.0e-6;    // of a cell, by polygon
 constexpr double kSecondsPerPart = 1.0e-6;   // of a cell, by element
 constexpr double kSecondsPerShare = 1.0e-4;  // of a light, by polygon
 constexpr double kSecondsPerPixel = 1.5e-7;
-// Pairs of faces that are looked at to tell how many face each other; pairs of elements, and elements under the sky, of
-// which is asked what stands between.
-constexpr std::size_t kMostLookedAt = 2000, kMostAsked = 200, kMostUnderSky = 24;
+// Pairs of faces that are looked at to tell how many face each other.
+constexpr std::size_t kMostLookedAt = 2000;
 
 // The faces of a scene, and how many elements each is divided into.
 class Faces {
@@ -86,59 +83,6 @@ class Faces {
   std::uint64_t rows_ = 0;
 };
 
-// What elements cost where something may stand between, from some of them.
-class Hiding {
- public:
-  explicit Hiding(const PreparedScene3& prepared)
-      : prepared_(prepared),
-        table_(*prepared.elements(is_divided(prepared.scene) ? Granularity::kElement : Granularity::kFace)) {
-    for (std::uint32_t label = 0; label < table_.count(); ++label)
-      if (!table_.parts(label).empty()) there_.push_back(label);
-  }
-
-  // Of a pair of elements that face each other.
-  double seconds_of_a_pair() const {
-    std::mt19937_64 random(1);
-    double seconds = 0;
-    std::size_t facing = 0;
-    for (std::size_t k = 0; there_.size() > 1 && k < kMostLookedAt && facing < kMostAsked; ++k) {
-      const std::uint32_t i = there_[random() % there_.size()], j = there_[random() % there_.size()];
-      if (i == j || !(table_.has_row(i) || table_.has_row(j))) continue;
-      if (!face_each_other(prepared_.blockers(), table_.parts(i).front(), table_.parts(j).front())) continue;
-      ++facing;
-      seconds += seconds_of(table_.parts(i).front(), table_.parts(j).front()) *
-                 static_cast<double>(table_.parts(i).size() * table_.parts(j).size());
-    }
-    return facing == 0 ? 0 : seconds / static_cast<double>(facing);
-  }
-
-  // Of an element with a row and the walls that stand for the sky.
-  double seconds_under_sky() const {
-    std::mt19937_64 random(2);
-    double seconds = 0;
-    std::size_t asked = 0;
-    for (std::size_t k = 0; !there_.empty() && k < kMostLookedAt && asked < kMostUnderSky; ++k) {
-      const std::uint32_t i = there_[random() % there_.size()];
-      if (!table_.has_row(i)) continue;
-      ++asked;
-      for (const ElementTable3::Part& part : table_.parts(i))
-        for (const ElementTable3::Part& wall : table_.parts(table_.sky()))
-          seconds += kSecondsPerPair + seconds_of(part, wall);
-    }
-    return asked == 0 ? 0 : seconds / static_cast<double>(asked);
-  }
-
- private:
-  double seconds_of(const ElementTable3::Part& i, const ElementTable3::Part& j) const {
-    const auto between = static_cast<double>(prepared_.measurer().count_between(i.patch, j.patch));
-    return between > 0 ? kSecondsPerMixed + between * between * kSecondsPerBetween : 0;
-  }
-
-  const PreparedScene3& prepared_;
-  const ElementTable3& table_;
-  std::vector<std::uint32_t> there_;  // labels that have an area
-};
-
 std::string short_count(double count) {
   return count < 1e6 ? fmt::format("{:.0f}", count) : fmt::format("{:.2g}", count);
 }
@@ -181,21 +125,21 @@ Plan plan_scene(const PreparedScene3& prepared, const PlanRequest& request, SkyB
   const bool hides = !is_room && !(is_plain && faces_nothing(scene, blockers));
   const double pairs = faces.facing_pairs();
   const bool sees_sky = !is_room && (!scene.closed || request.everything);
-  std::optional<Hiding> hiding;
-  if (hides || sees_sky) hiding.emplace(prepared);
+  const SampledCost3 cost = hides || sees_sky ? sampled_cost(prepared, sees_sky) : SampledCost3();
+  const double plain = hides || sees_sky ? cost.plain : pairs * kSecondsPerPair;
   PlanDraft draft(scene, request, {.one = "polygon", .across = "across polygons"});
   draft.add(Plan::kExchange, !is_empty,
             fmt::format("{}, about {} pairs that face each other", counted(faces.rows(), "row"), short_count(pairs)),
-            "the scene is empty", pairs * kSecondsPerPair);
+            "the scene is empty",
+            static_cast<double>(scene.polygons.size()) * kSecondsPerPolygon + plain + cost.sampling);
   draft.add(Plan::kOcclusion, hides, draft.count_text(scene.surfaces.size()) + " that may hide each other, or the sky",
             is_empty  ? "the scene is empty"
             : is_room ? "one convex room: nothing can hide anything"
                       : "no face has anything before it",
-            hides ? pairs * hiding->seconds_of_a_pair() : 0);
+            cost.pairs - cost.plain);
   draft.add_back_faces();
   const bool is_by_closure = sky == SkyBy::kClosure;
-  const double under_sky = static_cast<double>(is_by_closure ? faces.rows() / kRowsOfASkyCheck + 1 : faces.rows());
-  draft.add_sky(is_room, sees_sky ? under_sky * hiding->seconds_under_sky() : 0, is_by_closure);
+  draft.add_sky(is_room, is_by_closure ? cost.sky / kRowsOfASkyCheck : cost.sky, is_by_closure);
   draft.add_subdivision();
   add_groups(scene, draft);
   draft.add_channels();

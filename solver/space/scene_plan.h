@@ -12,10 +12,11 @@ namespace hottel {
 //
 //   (1) rows are those of elements where some polygon is divided, else those of faces
 //   (2) light between the faces is used where a grid is asked for, a picture wherever there is a polygon
-//   (3) seconds are rough, of one core: by the pairs that face each other, of which some are looked at, and by how many
-//       surfaces may stand between some of these, and between some elements and the sky
+//   (3) seconds are rough, of one core, and depend on no clock: within a factor of 3 as a rule, from what some pairs
+//       cost (sampled_cost.h)
 //
-// COST: as nothing_between.h says, and some milliseconds; nothing is computed of the light itself.
+// COST: as nothing_between.h says, some milliseconds, and a few per cent of what factors take, some tenths of a second
+// as a rule; nothing is computed of the light itself.
 Plan plan_scene(const PreparedScene3& prepared, const PlanRequest& request, SkyBy sky = SkyBy::kIntegral);
 
 }  // namespace hottel

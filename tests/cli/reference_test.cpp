@@ -23,7 +23,7 @@ TEST(Reference, ChecksumsHold) {
                                     " --quiet && cd set && sha256sum --strict -c SHA256SUMS "
                                     "> /dev/null && find . -type f | wc -l && wc -l < SHA256SUMS");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(outcome.out, "13\n12\n");  // all but SHA256SUMS itself
+  EXPECT_EQ(outcome.out, "14\n13\n");  // all but SHA256SUMS itself
   const auto manifest = nlohmann::json::parse(place.read("set/reference.json"));
   ASSERT_EQ(manifest["scenes"].size(), 2u);
   EXPECT_EQ(manifest["scenes"][0]["name"], "square_radiosity");
@@ -78,7 +78,8 @@ TEST(Reference, HoldsScenesInSpace) {
   EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
   EXPECT_THAT(
       outcome.err,
-      HasSubstr("cube: 12 elements, 30 factors, enclosed; radiosities of these elements enclosed, bounds within"));
+      HasSubstr(
+          "cube: 12 elements, 30 factors, enclosed; discrete radiosities of these elements enclosed, bounds within"));
   EXPECT_EQ(place.read("set/cube/scene.json"), contents(space + "cube.json"));
   EXPECT_THAT(place.read("set/room_boxes/scene.json"), testing::Not(HasSubstr("\"mesh\"")));
   const auto manifest = nlohmann::json::parse(place.read("set/reference.json"));
@@ -86,8 +87,8 @@ TEST(Reference, HoldsScenesInSpace) {
   EXPECT_EQ(cube["guarantee"], "enclosed");
   EXPECT_EQ(cube["tolerance"], 1e-12);
   EXPECT_EQ(cube["enclosed"], 30);
-  EXPECT_EQ(manifest["scenes"][0]["radiosities"]["of"], "these elements");
-  EXPECT_THAT(place.read("set/README.txt"), HasSubstr("These elements are the problem"));
+  EXPECT_EQ(manifest["scenes"][0]["radiosities"]["of"], "the discrete problem of these elements");
+  EXPECT_THAT(place.read("set/README.md"), HasSubstr("The problem is discrete"));
   const auto& room = manifest["scenes"][1]["factors"];
   EXPECT_EQ(room["guarantee"], "estimated");
   EXPECT_EQ(room["enclosed"].get<int>() + room["estimated"].get<int>(),
@@ -98,6 +99,25 @@ TEST(Reference, HoldsScenesInSpace) {
       "/dev/shm/$$");
   EXPECT_EQ(compared.code, 0) << compared.err;
   EXPECT_THAT(compared.err, HasSubstr("pairs agree with the exact factors"));
+}
+
+// Their scene files hold what was asked for: they are computed from as they are.
+TEST(Reference, DividedScenesSayTheirElementsAndGrids) {
+  const Workplace place;
+  const Outcome outcome = place.run("hottel reference set " + kScenes + "lights/hall.json " + kScenes +
+                                    "analytic/square_radiosity.json --elements 2 --grid 4x3 --tolerance 1e-6 --quiet "
+                                    "&& hottel reference again set/*/scene.json --tolerance 1e-6 --quiet && "
+                                    "diff -r set again");
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  const auto scenes = nlohmann::json::parse(place.read("set/reference.json"))["scenes"];
+  EXPECT_EQ(scenes[0]["light"]["shape"], (std::vector{3, 4, 3}));
+  EXPECT_EQ(scenes[1]["light"]["shape"], (std::vector{3, 4, 1}));
+  EXPECT_EQ(scenes[0]["units"]["areas"], "m²");
+  EXPECT_EQ(scenes[1]["units"]["areas"], "m");
+  EXPECT_EQ(scenes[1]["problem"]["unknowns"], 8);
+  const Outcome solved = place.run("hottel solve set/hall/scene.json -o solved --tolerance 1e-6 --quiet");
+  EXPECT_EQ(solved.code, 0) << solved.err;
+  EXPECT_EQ(place.read("set/hall/illumination.npy"), place.read("solved/illumination.npy"));
 }
 
 // One unit of its last digit off a plane: two triangles in one row, also as it is written.

@@ -439,19 +439,14 @@ std::size_t PairMeasurer3::count_between(const Patch3& i, const Patch3& j) const
   const DefaultFloatingPoint environment;
   Patch3 copies[2];
   const Patch3 &first = prepared_->placed(i, copies[0]), &second = prepared_->placed(j, copies[1]);
-  FirstMet3 first_met(prepared_->hiders, first, prepared_->blockers.size());
-  if (second.is_all_of_the_sky()) {
-    std::size_t most = 0;
-    for (const Patch3& cone : sky_cones(first))
-      if (const PairSetting3 setting(prepared_->blockers, prepared_->boxes, first, cone, &first_met);
-          setting.sight == Sight3::kMixed)
-        most = std::max(most, setting.count_between());
-    return most;
-  }
-  if (are_hidden(first, second, first_met, kFirstQuestions)) return 0;
-  const PairSetting3 setting(prepared_->blockers, prepared_->boxes, first, second, &first_met);
-  if (setting.sight != Sight3::kMixed || are_hidden(setting, first, second, first_met)) return 0;
-  return setting.count_between();
+  const auto count = [&](const Patch3& other) {
+    const PairSetting3 setting(prepared_->blockers, prepared_->boxes, first, other);
+    return setting.sight == Sight3::kMixed ? setting.count_between() : 0;
+  };
+  if (!second.is_all_of_the_sky()) return count(second);
+  std::size_t most = 0;
+  for (const Patch3& cone : sky_cones(first)) most = std::max(most, count(cone));
+  return most;
 }
 
 PairMeasurer3::Halves PairMeasurer3::halves(const PairSetting3& setting, const Patch3& i, const Patch3& j,

@@ -44,8 +44,9 @@ class PairMeasurer3 {
   PairMeasure3 measure(const Patch3& i, const Patch3& j, const PairRequest3& request = {},
                        PairDetails3* details = nullptr) const;
 
-  // Returns how many surfaces may stand between two patches: 0 where the pair is hidden or clear. What such a pair
-  // costs grows with it. COST: some 10 microseconds.
+  // Returns how many surfaces may stand between two patches, in its hull: 0 where none does or one hides all; of all of
+  // the sky the most in a cone. What such a pair costs grows with it, though several together may hide it.
+  // COST: some 10 microseconds, and that of all its cones of the sky.
   std::size_t count_between(const Patch3& i, const Patch3& j) const;
 
  private:

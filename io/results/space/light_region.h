@@ -1,0 +1,12 @@
+// Where the cells of a grid of light in space lie, as files say it.
+#pragma once
+
+#include "geometry/space/scene/scene.h"
+#include "io/results/npy.h"
+
+namespace hottel {
+
+// Returns the region of a grid in space, its corner and sides as the doubles next to them. [unit of the scene]
+PlanarRegion region_of(const Grid3& grid);
+
+}  // namespace hottel
