@@ -53,7 +53,7 @@ std::filesystem::path kept_in() {
   return {};
 }
 
-// "0.1.0 sweep 1.25": the version that measured, of what, and how slow it is.
+// "0.2.0 sweep 1.25": the version that measured, of what, and how slow it is.
 std::optional<double> kept(const std::filesystem::path& file) {
   std::error_code ignored;
   if (file.empty() || !std::filesystem::exists(file, ignored)) return std::nullopt;
