@@ -193,6 +193,8 @@ def test_what_grids_show_is_that_of_the_program(show, tmp_path):
     ("scenes/heat/street_by_day.json", "temperature", {"shading": "smooth"}),
     ("scenes/analytic/square_radiosity.json", "factor:top", {}),
     ("scenes/space/two_boxes.json", "radiosity", {"channel": "b", "shading": "smooth"}),
+    ("scenes/space/cube.json", "irradiance", {"axes": True}),
+    ("scenes/space/cube.json", "light", {"outlines": True, "axes": True}),
 ])
 def test_pictures_of_quantities_are_those_of_the_program(scene, show, options, tmp_path):
     scene = hottel.read_scene(scene)
@@ -212,6 +214,12 @@ def test_what_grids_in_space_show_is_that_of_the_program(show, tmp_path):
     assert simulation.grid((5, 3)).values.tobytes() == numpy.load(tmp_path / "illumination.npy").tobytes()
     assert simulation.picture(show).file() == (tmp_path / "render.png").read_bytes()
     assert simulation.picture(show, cells=(5, 3), of="grid").file() == (tmp_path / "illumination.png").read_bytes()
+    plain = simulation.picture(show, outlines=False).file()
+    assert plain != (tmp_path / "render.png").read_bytes()
+    solved(scene, tmp_path, "--show", show, "--grid", "5x3", "--no-outlines", "--axes")
+    assert simulation.picture(show, outlines=False, axes=True).file() == (tmp_path / "render.png").read_bytes()
+    assert simulation.picture(show, cells=(5, 3), of="grid", axes=True).file() == (
+        tmp_path / "illumination.png").read_bytes()
 
 
 @pytest.mark.parametrize("ending", ["png", "svg", "pdf"])

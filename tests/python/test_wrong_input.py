@@ -236,13 +236,13 @@ def test_grids_that_are_none(simulation):
 
 def test_pictures_that_cannot_be_had(simulation, tmp_path):
     for options in ({"show": "x"}, {"show": "factor:nowhere"}, {"size": -1}, {"size": 10**6}, {"tone": "blue"},
-                    {"exposure": 0}, {"exposure": math.inf}, {"shading": "x"}, {"shading": "smooth"}, {"contours": -1},
+                    {"exposure": 0}, {"exposure": math.inf}, {"shading": "x"}, {"shading": "smooth"}, {"contours": -1}, {"outlines": True},
                     {"show": "net", "bar": "a:b"}, {"show": "net", "tone": "max"}, {"show": "net", "contours": 3},
                     {"of": "grid"}, {"channel": "r"}, {"show": "net", "size": 10}):
         with pytest.raises(hottel.UsageError):
             simulation.picture(**options)
     space = hottel.Simulation(hottel.read_scene(SCENES / "space/cube.json"))
-    for options in ({"axes": True}, {"contours": 2}, {"cells": (2, 2)}, {"of": "room"}, {"of": "grid"},
+    for options in ({"of": "grid", "outlines": True}, {"contours": 2}, {"cells": (2, 2)}, {"of": "room"}, {"of": "grid"},
                     {"illumination": "average"}):
         with pytest.raises(hottel.UsageError):
             space.picture(**options)

@@ -15,6 +15,7 @@
 #include "geometry/space/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "viewer/picture/space/camera_view.h"
 #include "viewer/picture/space/seen_picture.h"
 
 namespace hottel::seen_outlines_test {
