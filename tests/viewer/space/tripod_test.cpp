@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,19 @@ TEST(Tripod3, ArrowsPointWhereTheAxesDo) {
   EXPECT_NEAR(arrows[0].points[1].y, arrows[0].points[0].y, 1e-9);
   EXPECT_LT(arrows[1].points[1].y, arrows[1].points[0].y - 10);
   EXPECT_EQ(canvas.calls(Mark::kAxis, RecordingCanvas::Kind::kDisc).size(), 1u) << "y is seen end on";
+}
+
+TEST(Tripod3, NamesDoNotLieOnEachOther) {
+  for (const Point3& eye : {Point3{1, -9, 6}, Point3{-1, -9, 6}, Point3{0, -9, 6}, Point3{1, -3, 9}}) {
+    const RecordingCanvas canvas = drawn({.eye = eye, .target = {0, 0, 1}});
+    std::vector<Pixel> names;
+    for (const auto& call : canvas.calls(Mark::kAxis, RecordingCanvas::Kind::kText))
+      if (call.text.size() == 1) names.push_back({(call.points[0].x + call.points[1].x) / 2, call.points[1].y});
+    ASSERT_EQ(names.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = i + 1; j < 3; ++j)
+        EXPECT_GT(std::hypot(names[i].x - names[j].x, names[i].y - names[j].y), 8) << names[i].x << ' ' << names[i].y;
+  }
 }
 
 TEST(Tripod3, StaysInItsRoom) {

@@ -13,7 +13,7 @@
 namespace hottel {
 namespace {
 
-constexpr double kRoom = 64, kLength = 21, kLetters = 14, kPen = 1.4, kHead = 5;  // units
+constexpr double kRoom = 64, kLength = 21, kLetters = 14, kPen = 1.4, kHead = 5, kLabel = 7, kAside = 9;  // units
 constexpr double kEndOn = 0.15;  // of its length: what is left of an axis that is seen end on
 
 using Coordinate = Rational Point3::*;
@@ -68,6 +68,21 @@ void Tripod3::draw(PictureCanvas& canvas, Pixel top_left, double unit) const {
                 axes_[k].reach, {.size = kLetters * unit, .colour = palette::kSoftInk});
 }
 
+// How far a label gives way, in units, to that of a longer arrow.
+double Tripod3::aside_of(const Axis& axis) const {
+  const auto label = [](const Axis& a) {
+    const double share = std::hypot(a.right, a.up), far = kLength + kLabel / std::max(share, kEndOn);
+    return std::array{a.right * far, a.up * far};
+  };
+  for (const Axis& other : axes_) {
+    if (std::hypot(other.right, other.up) <= std::hypot(axis.right, axis.up)) continue;
+    const auto [x, y] = label(axis);
+    const auto [other_x, other_y] = label(other);
+    if (std::hypot(x - other_x, y - other_y) < kLetters) return x < other_x ? -kAside : kAside;
+  }
+  return 0;
+}
+
 void Tripod3::draw_axis(PictureCanvas& canvas, const Axis& axis, Pixel centre, double unit) const {
   const double share = std::hypot(axis.right, axis.up);
   const TextStyle style{.size = kLetters * unit, .colour = palette::kInk, .anchor = TextAnchor::kCentre};
@@ -84,8 +99,8 @@ void Tripod3::draw_axis(PictureCanvas& canvas, const Axis& axis, Pixel centre, d
   canvas.stroke(Mark::kAxis, centre, at(base, 0), palette::kInk, kPen * unit);
   const Pixel head[] = {at(tip, 0), at(base, 0.4 * kHead), at(base, -0.4 * kHead)};
   canvas.fill(Mark::kAxis, head, palette::kInk);
-  const Pixel label = at(tip + 7, 0);
-  canvas.text(Mark::kAxis, {label.x, label.y + 0.33 * style.size}, axis.name, style);
+  const Pixel label = at(tip + kLabel, 0);
+  canvas.text(Mark::kAxis, {label.x + aside_of(axis) * unit, label.y + 0.33 * style.size}, axis.name, style);
 }
 
 }  // namespace hottel

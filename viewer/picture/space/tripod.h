@@ -26,6 +26,7 @@ class Tripod3 {
     double right, up, away;  // of the unit vector along it: in the picture, and from the eye
     std::string name, reach;
   };
+  double aside_of(const Axis& axis) const;
   void draw_axis(PictureCanvas& canvas, const Axis& axis, Pixel centre, double unit) const;
 
   std::array<Axis, 3> axes_;
