@@ -21,6 +21,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/naming_file.h"
+#include "solver/compare/verdict.h"
 #include "solver/compare/work_precision.h"
 #include "viewer/picture/plane/drawable.h"
 #include "viewer/picture/plane/error_map.h"

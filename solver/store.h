@@ -47,7 +47,7 @@ struct KeptRow {
 // Rows of elements of this table or another one of the same key.
 struct KeptRows {
   std::vector<std::uint32_t> place;  // of each kept element, then of the sky, in the table that asks, or kNoPlace
-  std::vector<KeptRow> rows;         // as numbered there
+  std::vector<KeptRow> rows;         // row and columns are indices into `place`
   static constexpr std::uint32_t kNoPlace = 0xffffffff;
 };
 

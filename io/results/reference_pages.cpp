@@ -38,7 +38,7 @@ which units numbers are, and each file's checksum. There is one folder a scene:
 | `illumination.npy.json` | its shape, axes, region and channels |
 
 Units: L is the unit of coordinates of the scene, A that of areas, W that of radiosities; `units` in `reference.json` names
-all three. A is m (plane, a length) or m² (space), W is W/m (plane, per metre of depth) or W/m² (space); where the unit of
+all three. A is m (plane, a length) or m² (space), W is W/m (plane: watts per metre of depth, per metre of edge) or W/m² (space); where the unit of
 length has a name that hottel does not know, A is in that unit.
 
 | file | column | unit | meaning |
@@ -84,7 +84,7 @@ doubles may differ in the last digits where the mathematical library is another 
 
 ## Compare your solver
 
-    hottel compare NAME/scene.json --methods file:YOUR_FACTORS.csv
+    hottel compare NAME/scene.json --methods file:YOUR_FACTORS.csv -o OUT
 
 tells how wrong view factors are, in words and numbers; `.mtx`, `.npy` and files of View3D are read too, and
 `--grid-file YOUR.npy` takes light on the grid. Without hottel: take `NAME/scene.json` with exactly its elements, and hold each

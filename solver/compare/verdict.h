@@ -26,7 +26,7 @@ struct FoundFault {
 
 // What a matrix is allowed, and how its file was written.
 struct VerdictOptions {
-  double beyond = 1e-6;    // a pair is off when it is wrong by more, whatever digits the file left out
+  double beyond = 1e-6;    // a pair is off when it is wrong by more than this and the digits left out together
   WrittenFactors written;  // has_column may be empty: all are there
 };
 
@@ -66,13 +66,13 @@ inline constexpr double kLeastShareOfFitted = 0.2;  // the same of one with numb
 //   (1) a pair is off iff every number that prints as the file has it is wrong by more than `beyond`: roundings to the
 //       digits of the file are no errors
 //   (2) findings are readings of the numbers, not proofs: each is backed by the number of pairs it explains, that is,
-//       which agree within `beyond` and the digits left out once it is allowed for
+//       which agree within `beyond` and the digits left out once it is allowed for, and are at least twice as near as
+//       before
 //   (3) the findings and what is unexplained partition the pairs that are off
 //   (4) a reading is a finding only where it explains kLeastShare of the pairs that are off, or more; a constant or a
 //       ratio for each row kLeastShareOfFitted
 //   (5) the scatter of rays (sampling_noise.h) is a reading like others; where the errors as a whole are no such
-//   scatter,
-//       it is tried again on the pairs that the other readings leave, and may then be biased
+//       scatter, it is tried again on the pairs that the other readings leave; what is found then may be biased
 // Rows and columns that the file does not have are not judged.
 // REQUIRES: both matrices are over the elements of the scene; the exact one has visibilities.
 // COST: a few passes over both matrices; when something is off, what the scene takes to answer (judged_scene.h).

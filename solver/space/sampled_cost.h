@@ -9,13 +9,13 @@
 
 namespace hottel {
 
-// Seconds of one core, told from what was looked at for pairs (nodes, signs), never from a clock.
+// Costs in seconds of one core, reckoned from what was looked at for pairs (nodes, signs), never from a clock.
 //
 //   (1) the same scene has the same costs, on every machine and any number of threads
 //   (2) plain <= pairs: what the pairs would cost with nothing between them
 //   (3) where all pairs were measured, costs are sums; else they are extrapolated, and rough
 struct SampledCost3 {
-  double facing = 0;            // pairs of patches that face each other, one of an element with a row; about
+  double facing = 0;            // about how many pairs of patches face each other, one of them of an element with a row
   double plain = 0, pairs = 0;  // of these pairs together
   double sky = 0;               // of all patches of elements with rows, each with the sky
   double sampling = 0;          // of what was measured to tell the others

@@ -269,7 +269,7 @@ const std::vector<OptionEntry>& option_entries() {
        "--plot-x",
        "hottel compare $Q --methods gauss:1,gauss:2 --repeat 1 --plot-x parameter -o out; md5sum out/compare.svg",
        "hottel compare $Q --methods gauss:1,gauss:2 --repeat 1 -o out; md5sum out/compare.svg",
-       {{"hottel compare $Q --methods exact,strings --plot-x parameter", "--plot-x parameter is of methods with"},
+       {{"hottel compare $Q --methods exact,strings --plot-x parameter", "--plot-x parameter needs a method with"},
         {"hottel compare $Q --plot-x size", "--plot-x"}}},
       {"compare",
        "--plot-y",
@@ -288,7 +288,7 @@ const std::vector<OptionEntry>& option_entries() {
         {"hottel compare $Q --divide 1,2 --plot-x parameter", "--plot-x parameter is not of --divide"},
         {"hottel compare $Q --divide 1,2 --methods file:f.csv", "--divide computes at several divisions"},
         {"hottel compare $Q --divide 1,2 --methods 'run:cp f {out}'", "is told by {elements}"},
-        {"hottel compare $Q --methods exact --plot-x elements", "are of --divide"}}},
+        {"hottel compare $Q --methods exact --plot-x elements", "need --divide"}}},
       {"compare",
        "--grid-file",
        "hottel solve $Q --grid 8x8 -o solved; hottel compare $Q --grid-file solved/illumination.npy --repeat 1 -o out; "

@@ -13,9 +13,10 @@ struct PreparedScene3;
 
 // Returns the view factors of all pairs that exchange light, each with proven bounds.
 //
-//   (1) F_ij lies within its bounds. Where they are within the tolerance of the request, which is on S relative to the
-//       smaller area, the entry is kEnclosed; else kEstimated: |F_ij A_i - S| is then estimated, not proven, to be at
-//       most the tolerance times that area
+//   (1) the real F_ij lies within its bounds. Where they are within the tolerance of the request, which is on S
+//   relative to the
+//       smaller area, the entry is kEnclosed; else kEstimated: |F A_i - S|, of the double F, is then estimated, not
+//       proven, to be at most the tolerance times that area
 //   (2) no entry iff the real view factor is 0; this is decided by signs
 //   (3) both entries of a pair come from one measure, and so do their bounds; every row sums to 1 within the errors of
 //       its entries, the sky included

@@ -53,8 +53,8 @@ class PairMeasurer3 {
   friend class PairRow3;
   struct Halves;
 
-  // Of patches whose surfaces are those of `merged`. Where `first_met`, of the first one, is null, everything that may
-  // stand between is walked.
+  // Of patches whose surfaces are numbered as by MergedBlockers3. Where `first_met`, of the first one, is null,
+  // everything that may stand between is walked.
   PairMeasure3 measure(const Patch3& i, const Patch3& j, const PairRequest3& request, PairDetails3* details,
                        FirstMet3* first_met) const;
   PairMeasure3 measure_sky(const Patch3& i, const PairRequest3& request, PairDetails3* details,
@@ -64,8 +64,8 @@ class PairMeasurer3 {
   // `cuts`: how often patches may still be cut.
   PairMeasure3 measure_set(const PairSetting3& setting, const Patch3& i, const Patch3& j, const PairRequest3& request,
                            int cuts, PairDetails3* details, const FirstMet3* first_met) const;
-  // Both ways to cut a pair in two; what it costs at least, about, where it is cut up to so many times; and the halves
-  // of the cheaper way, where these cost less than the whole.
+  // halves(): one patch is cut in two, the first where cuts_first. both_halves(): both ways. cheaper_halves(): the way
+  // that costs less. least_work(): about what halves cost at least, if they are cut up to `cuts` times more.
   Halves halves(const PairSetting3& setting, const Patch3& i, const Patch3& j, bool cuts_first,
                 const FirstMet3* first_met) const;
   std::array<Halves, 2> both_halves(const PairSetting3& setting, const Patch3& i, const Patch3& j,

@@ -26,6 +26,10 @@ ComparisonReference<PreparedScene2> reference_of(const Simulation2& simulation, 
 MethodComparison2::MethodComparison2(const Simulation2& simulation, const StageProgress& progress)
     : MethodComparison(reference_of(simulation, progress)) {}
 
+void add_verdict(const MethodComparison2& comparison, double beyond, MethodResult& result) {
+  add_verdict(comparison, beyond, result, VerdictWatch());
+}
+
 void add_verdict(const MethodComparison2& comparison, double beyond, MethodResult& result, const VerdictWatch& watch) {
   if (!result.report.written) return;
   const Verdict verdict = judge(comparison.prepared(), comparison.exact(), result.matrix,

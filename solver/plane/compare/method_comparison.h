@@ -2,12 +2,12 @@
 #pragma once
 
 #include "solver/compare/method_comparison.h"
-#include "solver/compare/verdict.h"
 #include "solver/plane/methods/exchange_method.h"
 #include "solver/plane/simulation/simulation.h"
 
 namespace hottel {
 
+struct VerdictWatch;
 struct Grid2;
 struct IlluminationGrid2;
 
@@ -21,8 +21,9 @@ class MethodComparison2 : public MethodComparison<PreparedScene2> {
 
 // Adds the verdict in words to the notes of a result whose factors were read from a file or came from a command; does
 // nothing to others. REQUIRES a result of this comparison, with its matrix. beyond: as in VerdictOptions.
-void add_verdict(const MethodComparison2& comparison, double beyond, MethodResult& result,
-                 const VerdictWatch& watch = {});
+void add_verdict(const MethodComparison2& comparison, double beyond, MethodResult& result);
+// The same, told to others as it is found.
+void add_verdict(const MethodComparison2& comparison, double beyond, MethodResult& result, const VerdictWatch& watch);
 
 // Returns the exact light at the centres of the cells of a grid (illuminate_points), with that of lights, by the exact
 // radiosities. Throws RequestError where there are none. COST: that of illuminate_points.

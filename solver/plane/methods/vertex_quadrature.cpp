@@ -47,7 +47,8 @@ class VertexQuadrature2 final : public PairMethod2 {
       return {partners_of(centres), factors};
     }
     const auto visibility = exact_visibility_2(prepared);
-    const auto factors = [&geometry, weight, nearest](std::uint32_t i, std::uint32_t j) {
+    const auto factors = [&geometry, weight, nearest, visibility](std::uint32_t i, std::uint32_t j) {
+      if (!(visibility->of(i, j) > 0)) return PairFactors{};
       return sum_over_runs(geometry, i, j, [&](const ElementRun2& a, const ElementRun2& b) {
         return weight * a.length * b.length * mean_over_ends(a, b, nearest);
       });

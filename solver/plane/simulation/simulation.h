@@ -22,8 +22,12 @@ struct PreparedScene2;
 
 // One version of a scene and what is asked of it, with all that follows, in stages ("a <- b": b is made from a):
 //
-//   arrangement <- lights, factors <- system <- radiosities <- light <- picture;   the estimate of dividing after the
-//   radiosities;   plan, lost_light and check beside them
+//   arrangement <- factors <- system <- radiosities <- light <- picture
+//   arrangement <- lights <- radiosities
+//   arrangement <- rows <- light, where rows are kept
+//
+// The estimate of dividing comes after the radiosities; plan, lost_light and check stand beside. prepared() is the
+// arrangement with the scene of this version, light_shares() are the lights.
 //
 // A version never changes. An edit makes a new one, which shares every stage whose input is the same; so undoing is
 // taking the older version, and copies are cheap. What is asked for is made at the first call, with what it needs
@@ -45,7 +49,7 @@ struct PreparedScene2;
 //       (`seconds` in reports are what was measured)
 //   (3) any number of threads may ask one version at once; stages are made, waited for, cancelled and failed as
 //       kernel/support/stage.h says. What a stage throws is thrown again until an edit drops it
-//   (4) factors and rows each keep to the memory that is allowed, separately (ExchangeRequest::memory, LightRows2)
+//   (4) factors and what cells see each keep to the memory that is allowed (ExchangeRequest::memory, LightRows2)
 //
 // RequestErrors name the scene's file. Stages throw what their functions throw: InputError where claims conflict or a
 // "behind" cannot be obeyed (prepare); RequestError where the memory does not suffice, where a method cannot be run,

@@ -31,6 +31,10 @@ ComparisonReference<PreparedScene3> reference_of(const Simulation3& simulation, 
 MethodComparison3::MethodComparison3(const Simulation3& simulation, const StageProgress& progress)
     : MethodComparison(reference_of(simulation, progress)) {}
 
+void add_verdict(const MethodComparison3& comparison, double beyond, MethodResult& result) {
+  add_verdict(comparison, beyond, result, VerdictWatch());
+}
+
 void add_verdict(const MethodComparison3& comparison, double beyond, MethodResult& result, const VerdictWatch& watch) {
   if (!result.report.written) return;
   const Verdict verdict = judge(comparison.prepared(), comparison.exact(), result.matrix,

@@ -110,11 +110,13 @@ bool are_alike_as_before_3(const std::vector<Material>& before, const std::vecto
 //       cancelled before, on any number of threads. (`seconds` in reports are what was measured)
 //   (2) any number of threads may ask one version at once; stages are made, waited for, cancelled and failed as
 //       kernel/support/stage.h says
-//   (3) another request of the same scene shares what is prepared, and plan, factors, lights, system, light and
-//   picture,
-//       with what comes before and after them, where these are asked for alike
-//   (4) a scene with other materials shares the factors, and where no reflectivity is another the system too; it is
-//       arranged anew, and takes a copy of the factors, where not the same materials are alike
+//   (3) another request of the same scene shares what is prepared, and each of plan, factors, lights, system,
+//       radiosities, light and picture where it and all that it is made from are asked for alike; hidden pairs go with
+//       the factors, the estimate of dividing with the radiosities
+//   (4) a scene with other materials that are equal to each other exactly where they were (are_alike_as_before_3)
+//   shares
+//       the factors, and where no reflectivity is another the system too; else it is arranged anew, and takes a copy of
+//       the factors
 //   (5) a scene of the same shape shares what is arranged however its surfaces are divided, the factors too where they
 //       are divided alike, and what lights shine on where these stand and shine alike
 //
@@ -123,8 +125,8 @@ bool are_alike_as_before_3(const std::vector<Material>& before, const std::vecto
 // enclosure must have one; where `closed` is broken, there is no solution, or none in doubles.
 class Simulation3 {
  public:
-  // Throws InputError naming file, line and surface unless the scene is valid (validate); this and the next UsageError
-  // where the request's grid is not valid (grid_problem).
+  // Throws InputError naming file, line and surface unless the scene is valid (validate). This and with_request() throw
+  // UsageError where the request's grid is not valid (grid_problem).
   explicit Simulation3(Scene3 scene, SimulationRequest3 request = {});
   Simulation3 with_request(const SimulationRequest3& request) const;
   // The scene with these materials in place of its own, of the same names. Throws InputError as the constructor,

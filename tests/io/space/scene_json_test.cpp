@@ -313,7 +313,7 @@ TEST(SceneJson3, KeepsTheDimensionsApart) {
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "s.json:2: the scene is in space (dimension 3); this command works in the plane");
     ASSERT_EQ(error.hints().size(), 1u);
-    EXPECT_THAT(error.hints()[0], HasSubstr("all commands work but for `hottel visibility` with --points, "));
+    EXPECT_THAT(error.hints()[0], HasSubstr("all commands work but for `hottel visibility` with --edge, "));
   }
   EXPECT_TRUE(std::holds_alternative<Scene2>(parse_scene(plane, "s.json")));
   EXPECT_TRUE(std::holds_alternative<Scene3>(parse_scene("{\"hottel\": 1, \"dimension\": 3}", "s.json")));

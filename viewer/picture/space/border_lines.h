@@ -15,7 +15,7 @@
 
 namespace hottel {
 
-// A part of a line of space, by the coordinate along which the line is told.
+// A part of a line of space, from place(line, from) to place(line, to).
 struct LinePart3 {
   double from = 0, to = 0;  // from < to
 };
@@ -24,15 +24,16 @@ struct LinePart3 {
 // their ends. Places are relative to the eye.
 class BorderLines3 {
  public:
-  // A side of the outline of a piece.
+  // One segment of the outline of a piece, as a border of the side that is seen.
   struct Border {
     std::uint32_t line = 0;
     Direction3 begin, end;            // the ways from the eye to its ends
     double at_begin = 0, at_end = 0;  // on the line
-    std::vector<LinePart3> drawn;     // of it: where nothing goes on beyond, ascending
+    std::vector<LinePart3> drawn;     // its parts, ascending, across which no surface goes on
   };
 
-  // Of sides of pieces that an eye sees: of Face, the surface is the number of the piece. round_bend: in degrees. COST:
+  // Of sides of pieces that an eye sees: `surface` of each Face is the number of a piece. round_bend: the bend in
+  // degrees up to which neighbours of one group and material count as one surface. COST:
   // n log n exact comparisons.
   BorderLines3(const PreparedScene3& prepared, const Point3& eye, std::span<const Face> seen, double round_bend);
 
