@@ -14,6 +14,7 @@
 #include <optional>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -285,6 +286,36 @@ TEST(Layers, CirclesAreFound) {
                       {"d.cpp", {{"b.h", true}}},
                       {"d.h", {}}}),
               testing::ElementsAre("b", "c", "d", "b"));
+}
+
+// The types that a header defines at its outermost level: what stands in a namespace, no members.
+std::vector<std::string> types_defined_in(std::istream& text) {
+  static const std::regex kType(R"(^(?:struct|class|enum class) (\w+)(?: final)?(?: : .*)? \{.*)");
+  std::vector<std::string> types;
+  std::smatch match;
+  for (std::string line; std::getline(text, line);)
+    if (std::regex_match(line, match, kType)) types.push_back(match[1]);
+  return types;
+}
+
+// Two types of one name in one namespace end in crashes that no compiler reports.
+TEST(Layers, NoTwoHeadersDefineATypeOfOneName) {
+  std::map<std::string, fs::path> header_of;
+  for (const auto& [file, all_includes] : product_sources()) {
+    if (file.extension() != ".h") continue;
+    std::ifstream text(fs::path(HOTTEL_SOURCE_DIR) / file);
+    for (const std::string& type : types_defined_in(text)) {
+      const auto [first, is_new] = header_of.emplace(type, file);
+      EXPECT_TRUE(is_new) << type << " is in " << first->second << " and in " << file;
+    }
+  }
+  EXPECT_GT(header_of.size(), 500U);
+}
+
+TEST(Layers, TypesOfHeadersAreSeen) {
+  std::istringstream text(
+      "struct A {\nclass B;\n  struct C {\nclass D : public A {\nenum class E : unsigned char { kOne };\n");
+  EXPECT_EQ(types_defined_in(text), (std::vector<std::string>{"A", "D", "E"}));
 }
 
 TEST(Layers, FewUnitsOfTheProductCompileCgal) {

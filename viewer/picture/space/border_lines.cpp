@@ -16,9 +16,9 @@ Vector3 scaled(const Rational& factor, const Vector3& v) { return {factor * v.x,
 Rational Vector3::*axis_of(const Vector3& v) { return v.x != 0 ? &Vector3::x : v.y != 0 ? &Vector3::y : &Vector3::z; }
 
 // Takes a part away from others.
-void take_away(const LinePart3& gone, std::vector<LinePart3>& parts) {
-  std::vector<LinePart3> rest;
-  for (const LinePart3& part : parts) {
+void take_away(const BorderPart3& gone, std::vector<BorderPart3>& parts) {
+  std::vector<BorderPart3> rest;
+  for (const BorderPart3& part : parts) {
     if (gone.to <= part.from || part.to <= gone.from) {
       rest.push_back(part);
       continue;
@@ -29,7 +29,7 @@ void take_away(const LinePart3& gone, std::vector<LinePart3>& parts) {
   parts = std::move(rest);
 }
 
-LinePart3 part_of(const BorderLines3::Border& border) {
+BorderPart3 part_of(const BorderLines3::Border& border) {
   return {std::min(border.at_begin, border.at_end), std::max(border.at_begin, border.at_end)};
 }
 
@@ -79,9 +79,9 @@ bool BorderLines3::goes_on(std::size_t border, std::size_t other) const {
   return one.group == two.group && one.material == two.material && dot(one.normal, two.normal) >= least_cosine_;
 }
 
-std::vector<LinePart3> BorderLines3::drawn_of(std::size_t border) const {
-  const LinePart3 all = part_of(borders_[border]);
-  std::vector<LinePart3> drawn;
+std::vector<BorderPart3> BorderLines3::drawn_of(std::size_t border) const {
+  const BorderPart3 all = part_of(borders_[border]);
+  std::vector<BorderPart3> drawn;
   if (all.from < all.to) drawn.push_back(all);
   for (const std::size_t other : lines_[borders_[border].line].borders)
     if (goes_on(border, other)) take_away(part_of(borders_[other]), drawn);

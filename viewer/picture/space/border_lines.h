@@ -16,7 +16,7 @@
 namespace hottel {
 
 // A part of a line of space, from place(line, from) to place(line, to).
-struct LinePart3 {
+struct BorderPart3 {
   double from = 0, to = 0;  // from < to
 };
 
@@ -29,7 +29,7 @@ class BorderLines3 {
     std::uint32_t line = 0;
     Direction3 begin, end;            // the ways from the eye to its ends
     double at_begin = 0, at_end = 0;  // on the line
-    std::vector<LinePart3> drawn;     // its parts, ascending, across which no surface goes on
+    std::vector<BorderPart3> drawn;   // its parts, ascending, across which no surface goes on
   };
 
   // Of sides of pieces that an eye sees: `surface` of each Face is the number of a piece. round_bend: the bend in
@@ -61,7 +61,7 @@ class BorderLines3 {
 
   void add_side(const PreparedScene3& prepared, const Point3& eye, const Face& face);
   void add_border(const Vector3& begin, const Vector3& end);
-  std::vector<LinePart3> drawn_of(std::size_t border) const;
+  std::vector<BorderPart3> drawn_of(std::size_t border) const;
   bool goes_on(std::size_t border, std::size_t other) const;
 
   double least_cosine_;

@@ -38,11 +38,11 @@ double met_at(const BorderLines3::Border& border, const Direction3& plane, const
 }
 
 // Ascending, and those that meet joined.
-std::vector<LinePart3> joined(std::vector<LinePart3> parts) {
-  std::ranges::sort(parts, {}, &LinePart3::from);
-  std::vector<LinePart3> result;
+std::vector<BorderPart3> joined(std::vector<BorderPart3> parts) {
+  std::ranges::sort(parts, {}, &BorderPart3::from);
+  std::vector<BorderPart3> result;
   const double gap = parts.empty() ? 0 : kSameEnd * (parts.back().to - parts.front().from);
-  for (const LinePart3& part : parts) {
+  for (const BorderPart3& part : parts) {
     if (!result.empty() && part.from <= result.back().to + gap)
       result.back().to = std::max(result.back().to, part.to);
     else
@@ -76,7 +76,7 @@ class Outlines {
       add_fragment(map_.fragments[k], lines_.borders(side));
     }
     for (std::uint32_t line = 0; line < seen_.size(); ++line)
-      for (const LinePart3& part : joined(std::move(seen_[line])))
+      for (const BorderPart3& part : joined(std::move(seen_[line])))
         add_stroke(lines_.place(line, part.from), lines_.place(line, part.to));
     return std::move(strokes_);
   }
@@ -120,8 +120,8 @@ class Outlines {
       const auto plane = plane_of(border);
       if (!plane || !is_on(*plane, from) || !is_on(*plane, to)) continue;
       const double a = met_at(border, *plane, from), b = met_at(border, *plane, to);
-      for (const LinePart3& drawn : border.drawn) {
-        const LinePart3 part{std::max(drawn.from, std::min(a, b)), std::min(drawn.to, std::max(a, b))};
+      for (const BorderPart3& drawn : border.drawn) {
+        const BorderPart3 part{std::max(drawn.from, std::min(a, b)), std::min(drawn.to, std::max(a, b))};
         if (part.from < part.to) seen_[border.line].push_back(part);
       }
       return true;
@@ -138,7 +138,7 @@ class Outlines {
   PointMap3 map_;
   Projection3 projection_;
   BorderLines3 lines_;
-  std::vector<std::vector<LinePart3>> seen_;  // by line
+  std::vector<std::vector<BorderPart3>> seen_;  // by line
   std::vector<OutlineStroke3> strokes_;
 };
 
