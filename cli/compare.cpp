@@ -74,9 +74,8 @@ void require_effect(const CompareOptions& options, const MethodCatalogue<Prepare
     throw UsageError("elements along x and errors of faces along y need --divide");
   if (options.plot_x == PlotX::kParameter && !has_parameter)
     throw UsageError(
-        "--plot-x parameter needs a method with a number of rays, points or pixels (rays:N, gauss:n, hemicube:R): none "
-        "of "
-        "--methods has one");
+        "--plot-x parameter needs a method with a number of rays, points or pixels, like rays:N or hemicube:R, and "
+        "none of --methods has one");
   for (const NamedMethod& file : radiosity_files) names.push_back(file.name());
   if (!options.map.empty() && std::ranges::find(names, options.map) == names.end())
     throw UnknownName("--map takes one of the methods that are compared, not '" + options.map + "'", options.map,

@@ -189,7 +189,7 @@ std::vector<GivenScene> given_scenes(const ReferenceOptions& options, const Stre
   return scenes;
 }
 
-// Options of scenes in space are of those that there are in a set.
+// Throws UsageError where an option for scenes in space is given and no scene of the set is in space.
 void require_some_in_space(const ReferenceOptions& options, const std::vector<GivenScene>& scenes) {
   if (std::ranges::any_of(scenes, [](const GivenScene& given) { return std::holds_alternative<Scene3>(given.scene); }))
     return;

@@ -20,9 +20,8 @@ class RowChoice {
   // Returns the choice that a word makes of the rows of a scene.
   //
   //   (3) "fronts": all but backs
-  //   (4) NAME or a pattern: both sides of the surfaces that surfaces_matching() finds; with ":back" at its end their
-  //   backs
-  //       alone. Of groups: those that have such a surface
+  //   (4) NAME or a pattern: both sides of the surfaces that surfaces_matching() finds; with ":back" at its end only
+  //       their backs. Of groups: those that have such a surface
   //
   // Throws UnknownName where no surface matches. COST: linear in the surfaces.
   static RowChoice of(const SceneTable& scene, const std::string& word, Granularity granularity);

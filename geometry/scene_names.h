@@ -14,7 +14,7 @@ namespace hottel {
 // Returns the surfaces whose name, or whose polyline's or group's name, matches, ascending. The first of these that
 // finds some counts:
 //
-//   (1) names that are the pattern, whatever characters they have
+//   (1) names equal to the pattern, whichever characters they contain
 //   (2) of a pattern with a '*' at its end and none before, names that begin with what is before it: "room[*" too
 //   (3) names that it describes as a file name of a shell: '*' any characters, '?' one, "[abc]", "[a-c]", "[!a-c]" one
 //       of these; a bracket by itself is "[[]". Characters are those of UTF-8

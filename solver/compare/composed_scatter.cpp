@@ -161,19 +161,20 @@ std::optional<Frame> best_frame(const Frames& frames, const ExchangeMatrix& exac
   return best == nullptr ? std::nullopt : std::optional(*best);
 }
 
-// What rays count on an average: some `of_all` of them for all elements together, at least 2^10 each and at most 2^16.
-ExchangeMatrix uniform_law(const JudgedScene& scene, const ExchangeMatrix& exact, std::uint64_t of_all) {
-  std::uint32_t rays = 1U << 16;
-  while (rays > 1U << 10 && std::uint64_t{rays} * exact.size() > of_all) rays /= 2;
-  return scene.uniform_factors(rays);
-}
-
+constexpr std::uint32_t kFewestRays = 1U << 10, kMostRays = 1U << 16;  // of an element
 constexpr std::uint64_t kRaysOfAll = 1U << 22;
+
+// How many rays tell the law of so many elements.
+std::uint32_t rays_of_law(std::uint32_t elements) {
+  std::uint32_t rays = kMostRays;
+  while (rays > kFewestRays && std::uint64_t{rays} * elements > kRaysOfAll) rays /= 2;
+  return rays;
+}
 
 // Whether a law of few rays comes as near as the exact factors do, but for a margin: it scatters itself.
 bool may_be_uniform(const JudgedScene& scene, const Frames& frames, const ExchangeMatrix& exact) {
   constexpr double kMargin = 4;
-  const ExchangeMatrix few = uniform_law(scene, exact, 0);
+  const ExchangeMatrix few = scene.uniform_factors(kFewestRays);
   const auto least_square = [&](const ExchangeMatrix& law) {
     double least = std::numeric_limits<double>::infinity();
     for (const Orientation& orientation : kOrientations) {
@@ -227,7 +228,7 @@ Hypothesis suppose_scatter(const JudgedScene& scene, const JudgedPairs& judged, 
   const Frames frames(judged, leave_out);
   std::optional<ExchangeMatrix> uniform;
   if ((plain.count() == 0 || noise->bias.is_biased()) && may_be_uniform(scene, frames, judged.exact()))
-    uniform = with_visibilities(uniform_law(scene, judged.exact(), kRaysOfAll), judged.exact());
+    uniform = with_visibilities(scene.uniform_factors(rays_of_law(judged.exact().size())), judged.exact());
   const auto frame = best_frame(frames, judged.exact(), uniform ? &*uniform : nullptr);
   if (!frame || frame->price() == 0) return plain;
   Hypothesis composed = about(scene, judged, leave_out, frames, *frame, frame->is_uniform ? *uniform : judged.exact());

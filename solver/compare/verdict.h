@@ -48,7 +48,7 @@ struct Verdict {
   std::vector<JudgedPair> worst_unexplained;  // at most kPairsNamed, the worst first
 };
 
-// Who is told while a matrix is judged; each may be empty.
+// Callbacks while a matrix is judged; each may be empty.
 struct VerdictWatch {
   std::function<void(const Verdict&)> on_laws;  // before readings are looked for: without findings
   std::function<void(double)> progress;         // fraction of the readings that were looked for; may throw to stop

@@ -42,9 +42,8 @@ struct LogPlot {
 //   (2) values that are 0 lie on a level of their own below the lowest decade, named zero_label, apart by a dashed line
 //   (3) points that are not finite, or not positive along x, are left out, and no line goes across them; a level has
 //       no x
-//   (4) the points of a curve are joined in their order; of the first 30 curves each has a colour and a stroke of its
-//   own
-//       (10 colours; unbroken, dashed, dotted), and besides one of 6 markers. Levels are broken lines: long, dashed,
+//   (4) the points of a curve are joined in their order; no two of the first 30 curves have the same colour and stroke
+//       (10 colours; unbroken, dashed, dotted), and each has one of 6 markers. Levels are broken lines: long, dashed,
 //       dotted
 //   (5) nothing leaves the picture
 //   (6) where no curve has a place along x there is no axis of it

@@ -1,4 +1,4 @@
-// Direct exchange areas of pairs of elements, and what is asked and told of them.
+// Direct exchange areas of pairs of elements, with requests and reports.
 #pragma once
 
 #include <chrono>

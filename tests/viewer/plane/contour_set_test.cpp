@@ -11,19 +11,14 @@
 #include <string>
 #include <vector>
 
+#include "tests/viewer/plane/pixel_fields.h"
 #include "viewer/picture/plane/smoothed_field.h"
 #include "viewer/picture/recording_canvas.h"
 
 namespace hottel::contour_set_test {
 namespace {
 
-template <class Value>
-PixelField2 field(std::uint32_t width, std::uint32_t height, const Value& value) {
-  PixelField2 result{width, height, {}, {}};
-  for (std::uint32_t y = 0; y < height; ++y)
-    for (std::uint32_t x = 0; x < width; ++x) result.values.push_back(static_cast<float>(value(x + 0.5, y + 0.5)));
-  return result;
-}
+using pixel_fields::field;
 
 PixelField2 rough_field() {
   std::mt19937 random(5);

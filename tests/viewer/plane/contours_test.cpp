@@ -8,19 +8,14 @@
 #include <limits>
 #include <random>
 
+#include "tests/viewer/plane/pixel_fields.h"
+
 namespace hottel::contours_test {
 namespace {
 
+using pixel_fields::field;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-
-template <class Value>
-PixelField2 field(std::uint32_t width, std::uint32_t height, const Value& value) {
-  PixelField2 result{width, height, {}, {}};
-  for (std::uint32_t y = 0; y < height; ++y)
-    for (std::uint32_t x = 0; x < width; ++x) result.values.push_back(static_cast<float>(value(x + 0.5, y + 0.5)));
-  return result;
-}
 
 TEST(Contours2, OfACircleAreThatCircleClosed) {
   const PixelField2 round = field(40, 30, [](double x, double y) { return std::hypot(x - 20, y - 15); });
