@@ -56,7 +56,8 @@ struct AnimateOptions {
   ElementOptions elements;
   PolygonOptions polygons;
   StoreOption store;
-  std::string method = "exact", grid, tone = "log", shading = "flat";
+  std::string method = "exact", grid, shading = "flat";
+  std::optional<std::string> tone;  // nothing: that of the dimension
   double exposure = 1;
   std::uint32_t size = 0;
   std::optional<std::string> tolerance;
@@ -78,7 +79,8 @@ struct Plane {
 
   static std::string text_of(const Scene2& scene) { return write_scene_2(scene); }
   static Painter painter(const AnimateOptions& options) {
-    return Painter({.tone = tone_asked(options.tone), .exposure = options.exposure, .wanted_width = options.size});
+    return Painter(
+        {.tone = tone_asked(options.tone, kUsualTone2), .exposure = options.exposure, .wanted_width = options.size});
   }
   static Simulation simulation(const AnimateOptions& options, Scene2 scene, std::shared_ptr<FactorStore> store) {
     if (options.tolerance)
@@ -101,7 +103,7 @@ struct Space {
 
   static std::string text_of(const Scene3& scene) { return write_scene_3(scene); }
   static Painter painter(const AnimateOptions& options) {
-    return Painter({.tone = tone_asked(options.tone),
+    return Painter({.tone = tone_asked(options.tone, kUsualTone3),
                     .exposure = options.exposure,
                     .wanted_width = options.size,
                     .shading = *shading_of(options.shading)});
@@ -126,9 +128,9 @@ struct Space {
 // What frames are of: where it is the same, those that are there are not made again.
 std::string key_of(const AnimateOptions& options, const std::string& scene, double tolerance) {
   return sha256(fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", kVersion, rate_of(options).get_str(),
-                            options.levels.everywhere, options.levels.at_borders, options.grid, options.tone,
-                            shortest(options.exposure), options.size, options.shading, shortest(tolerance),
-                            options.method, scene) +
+                            options.levels.everywhere, options.levels.at_borders, options.grid,
+                            options.tone.value_or(""), shortest(options.exposure), options.size, options.shading,
+                            shortest(tolerance), options.method, scene) +
                 (options.guarantee.must_be_enclosed() ? "\nenclosed" : ""));
 }
 
@@ -344,9 +346,11 @@ void add_animate(Commands& commands) {
   options->store.add_to(command);
   command.add_option("--grid", options->grid, "in the plane: cells of the illumination over the scene's region")
       ->type_name("NXxNY");
-  command.add_option("--tone", options->tone, "linear, reinhard, log or max, fitted to the light at the time 0")
-      ->type_name("TONE")
-      ->capture_default_str();
+  command
+      .add_option("--tone", options->tone,
+                  "linear, reinhard, log or max, fitted to the light at the time 0; without it log in the plane, "
+                  "reinhard in space")
+      ->type_name("TONE");
   command.add_option("--exposure", options->exposure, "multiply the light by E before the tone curve")
       ->type_name("E")
       ->check(positive_number())

@@ -11,12 +11,15 @@
 #include <utility>
 #include <vector>
 
+#include "cli/grid_exr.h"
 #include "cli/machine_speed.h"
 #include "cli/room_for_elements.h"
 #include "cli/solve_files.h"
 #include "cli/unit_notes.h"
+#include "cli/views.h"
 #include "io/files/output_file.h"
 #include "io/foreign/space/foreign_matrix.h"
+#include "io/results/exr.h"
 #include "io/results/npy.h"
 #include "io/results/solve_report.h"
 #include "io/results/space/check_report.h"
@@ -37,6 +40,16 @@
 namespace hottel {
 namespace {
 
+// What is asked of the cells of a grid.
+void require_grid(const SolveOptions& options, const Scene3& scene) {
+  if (options.exr) require_exr("--exr");
+  if (!options.views.empty()) require_sense_of_views(options.views, options.illumination);
+  if (scene.grid) return;
+  if (options.exr) throw UsageError("--exr is of light on a grid, and " + options.scene + " has none");
+  if (!options.views.empty())
+    throw UsageError("--views is what the cells of a grid see, and " + options.scene + " has none");
+}
+
 void require_what_space_has(const SolveOptions& options) {
   const auto refuse = [](const std::string& option) { throw UsageError(option + " is only for scenes in the plane"); };
   const SolveOptions usual;
@@ -45,14 +58,13 @@ void require_what_space_has(const SolveOptions& options) {
     options.guarantee.refuse_of_method(options.method);
   }
   if (options.illumination != usual.illumination) refuse("--illumination");
-  if (options.views != usual.views) refuse("--views");
   if (options.contours > 0) refuse("--contours");
   if (options.no_outlines && options.show == usual.show)
     throw UsageError("--no-outlines goes with --show of something else than light, which has none");
 }
 
 GridPicture3 grid_picture_of(const SolveOptions& options, const Scene3& scene) {
-  return {.tone = *tone_of(options.tone),
+  return {.tone = tone_asked(options.tone, kUsualTone3),
           .exposure = options.exposure,
           .wanted_width = options.size,
           .has_axes = options.axes,
@@ -62,11 +74,13 @@ GridPicture3 grid_picture_of(const SolveOptions& options, const Scene3& scene) {
 // The files of light on the scene's grid, and of what --show has of it.
 struct GridFiles {
   OutputFile &npy, &sidecar;
-  OutputFile *shown_npy = nullptr, *shown_sidecar = nullptr, *png = nullptr;
+  OutputFile *shown_npy = nullptr, *shown_sidecar = nullptr, *png = nullptr, *exr = nullptr, *shown_exr = nullptr;
 
   GridFiles(const SolveOptions& options, const Shown& shown, SolveFiles& files)
       : npy(files.add("illumination.npy")), sidecar(files.add("illumination.npy.json")) {
+    if (options.exr) exr = &files.add("illumination.exr");
     if (is_of_points(shown)) {
+      if (options.exr) shown_exr = &files.add("shown.exr");
       shown_npy = &files.add("shown.npy");
       shown_sidecar = &files.add("shown.npy.json");
     }
@@ -81,7 +95,9 @@ struct GridFiles {
     const std::size_t shape[3] = {light->grid.nv, light->grid.nu, light->channels};
     write_npy(shape, light->values, [this](std::string_view bytes) { npy.write(bytes); });
     const auto channels = simulation.radiosities()->channel_names;
-    sidecar.write(illumination_sidecar(region_of(light->grid), channels));
+    const std::string about = illumination_sidecar(region_of(light->grid), channels);
+    sidecar.write(about);
+    if (exr) exr->write(grid_exr({shape[1], shape[0], channels, light->values, kRadiosityUnit, about}));
     if (shown_npy) return write_shown(simulation, shown, how, streams, seconds);
     if (!png) return;
     const auto picture = simulation.picture(streams.stages());
@@ -99,11 +115,14 @@ struct GridFiles {
     const std::vector<OrientedLight> lights =
         oriented_lights_on_grid(*simulation.prepared(), simulation.request().factors.granularity, *solution, grid,
                                 streams.progress("light on the grid"));
-    const ShownValues values = shown_at_points(shown, lights, solution->channel_names, "W/m²");
+    const ShownValues values = shown_at_points(shown, lights, solution->channel_names);
     seconds["illumination"] += watch.lap();
     const std::size_t shape[2] = {grid.nv, grid.nu};
     write_npy(shape, values.numbers(), [this](std::string_view bytes) { shown_npy->write(bytes); });
-    shown_sidecar->write(hottel::shown_sidecar(region_of(grid), values.name, values.unit));
+    const std::string about = hottel::shown_sidecar(region_of(grid), values.name, values.unit);
+    shown_sidecar->write(about);
+    if (shown_exr)
+      shown_exr->write(grid_exr({shape[1], shape[0], {values.name}, values.numbers(), values.unit, about}));
     if (!png) return;
     png->write(grid_picture_3(grid, values, how));
     seconds["picture"] += watch.lap();
@@ -115,17 +134,27 @@ std::unique_ptr<const RenderedView3> view_of(const SolveOptions& options, const 
                                              const Simulation3& simulation) {
   const auto factors = simulation.factors();
   const auto solution = simulation.radiosities();
-  RenderOptions3 asked{.tone = *tone_of(options.tone),
+  RenderOptions3 asked{.tone = tone_asked(options.tone, kUsualTone3),
                        .exposure = options.exposure,
                        .wanted_width = options.size,
                        .shading = *shading_of(options.shading),
                        .has_outlines = options.outlines || (!shown.is_light() && !options.no_outlines),
                        .has_axes = options.axes};
-  if (!shown.is_light()) asked.shown = shown_values(shown, simulation.scene(), factors->matrix, *solution, "W/m²");
+  if (!shown.is_light()) asked.shown = shown_values(shown, simulation.scene(), factors->matrix, *solution);
   return naming_file(options.scene, [&] {
     return std::make_unique<const RenderedView3>(*simulation.prepared(), simulation.request().factors.granularity,
                                                  *solution, std::move(asked));
   });
+}
+
+// What the camera sees, before any tone curve.
+std::string linear_picture(const RenderedView3& view, const std::vector<std::string>& channels) {
+  const PixelValues3& pixels = view.pixels();
+  return exr_file({.width = pixels.width,
+                   .height = pixels.height,
+                   .channels = channels,
+                   .values = pixels.values,
+                   .attributes = {{"unit", kRadiosityUnit}}});
 }
 
 PictureView picture_view_of(const RenderedView3& view, const Scene3& scene) {
@@ -156,6 +185,7 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) 
 
 void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to_read, Streams& streams) {
   require_what_space_has(options);
+  require_grid(options, scene);
   const Shown shown = shown_of(options);
   const bool wants_picture = !options.no_picture && (!options.no_illumination || !shown.is_light());
   require_shown(shown, scene);
@@ -176,6 +206,12 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
     require_room_for_light(options, {cells->nu, cells->nv}, channel_count(simulation.scene()), "take a coarser --grid",
                            directory);
     grid.emplace(options, shown, files);
+  }
+  std::optional<ViewsOutput> views;
+  if (!options.views.empty()) {
+    views.emplace(options.views);
+    files.add(views->mtx);
+    files.add(views->faces);
   }
   OutputFile* const png = wants_picture ? &files.add("render.png") : nullptr;
   OutputFile* const render = options.render.empty() ? nullptr : &files.add_elsewhere(options.render);
@@ -199,12 +235,18 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   seconds["read"] = seconds_to_read;
   seconds["write"] = watch.lap();
   if (grid) grid->write(simulation, shown, grid_picture_of(options, simulation.scene()), streams, seconds);
+  if (views)
+    write_views_3(*simulation.prepared(), *simulation.grid(),
+                  {simulation.scene(), factors->matrix, request.factors.granularity, {}, {}},
+                  options.memory.value_or(0), streams, *views);
   watch.lap();
   std::unique_ptr<const RenderedView3> view;
   if (png) {
     view = view_of(options, shown, simulation);
     png->write(view->file(PictureFormat::kPng));
-    if (render) render->write(view->file(*picture_format(options.render)));
+    if (render)
+      render->write(is_exr(options.render) ? linear_picture(*view, solution->channel_names)
+                                           : view->file(*picture_format(options.render)));
     seconds["picture"] += watch.lap();
   }
   const SolveReport report{
@@ -215,7 +257,8 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
       .fluxes = &fluxes,
       .seconds = seconds,
       .picture_light = view && !view->shown()
-                           ? std::optional(PictureLight{view->scale(), options.tone, options.exposure})
+                           ? std::optional(PictureLight{view->scale(), to_string(tone_asked(options.tone, kUsualTone3)),
+                                                        options.exposure})
                            : std::nullopt,
       .picture_range = view ? range_of(view->shown()) : std::nullopt,
       .picture_view = view ? std::optional(picture_view_of(*view, simulation.scene())) : std::nullopt,
@@ -225,7 +268,10 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
       .store = options.store.report(request.factors.store),
       .dividing = dividing.get(),
       .warnings = with_unit_note(simulation.scene(), finding_notes(lost_light))};
-  files.finish(options, report, solved, render != nullptr ? "\nthe picture: " + options.render : "", streams);
+  files.finish(options, report, solved,
+               (views ? "\nwhat the cells see: " + options.views : "") +
+                   (render != nullptr ? "\nthe picture: " + options.render : ""),
+               streams);
 }
 
 }  // namespace hottel

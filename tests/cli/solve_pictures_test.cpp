@@ -53,7 +53,7 @@ TEST(SolvePictures, ShowTheDoublesOfTheTable) {
   place.write("cube.json", contents(scene_file("space/cube.json")));
   place.write("square.json", contents(scene_file("analytic/square_radiosity.json")));
   for (const auto& [scene, picture, unit] : {std::tuple{"cube.json", "render.png", "W/m²"},
-                                             std::tuple{"square.json --no-illumination", "illumination.png", "W/m"}})
+                                             std::tuple{"square.json --no-illumination", "illumination.png", "W/m²"}})
     for (const auto& [word, index] :
          {std::pair{"radiosity", kRadiosity}, std::pair{"irradiance", kIrradiance}, std::pair{"net", kNet}}) {
       const std::string line = std::string("hottel solve ") + scene + " -o out --elements 2 --show " + word;
@@ -173,7 +173,7 @@ TEST(SolvePictures, WhatIsNotThereIsRefused) {
           std::pair{"--show net --tone linear", "--tone and --exposure are of --show light"},
           std::pair{"--show sky --channel r", "--channel goes with --show radiosity, irradiance or net"},
           std::pair{"--channel r", "--channel goes with"}, std::pair{"--show net --channel r", "has one channel"},
-          std::pair{"--render room.gif", "a picture is written as .png, .svg or .pdf"},
+          std::pair{"--render room.gif", "a picture is written as .png, .svg, .pdf or .exr"},
           std::pair{"--render x.svg --no-picture", "excludes"}}) {
       const Outcome outcome = place.run(std::string("hottel solve ") + scene + " -o out " + options);
       EXPECT_EQ(outcome.code, 2) << scene << ' ' << options << '\n' << outcome.err;

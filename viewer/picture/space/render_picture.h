@@ -22,7 +22,7 @@ namespace hottel {
 
 // What is shown, and how it becomes a picture.
 struct RenderOptions3 {
-  Tone tone = Tone::kLog;              // of the light
+  Tone tone = kUsualTone3;             // of the light
   double exposure = 1;                 // what the light is multiplied by; ToneCurve says relative to what
   std::uint32_t wanted_width = 0;      // pixels across instead of the camera's, in its shape, where not 0
   Shading shading = Shading::kFlat;    // how values run over elements
@@ -59,6 +59,8 @@ class RenderedView3 {
 
   // The curve of the light. REQUIRES that light is shown.
   const ToneCurve& tone() const { return *tone_; }
+  // What the pixels show, before curves and colours; without the footer.
+  const PixelValues3& pixels() const { return pixels_; }
   // What is shown instead of the light.
   const std::optional<ShownValues>& shown() const { return options_.shown; }
 
