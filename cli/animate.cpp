@@ -76,11 +76,12 @@ Rational rate_of(const AnimateOptions& options) {
 struct Plane {
   using Simulation = Simulation2;
   using Painter = FilmPainter2;
+  static constexpr Tone kTone = kUsualTone2;
 
   static std::string text_of(const Scene2& scene) { return write_scene_2(scene); }
   static Painter painter(const AnimateOptions& options) {
     return Painter(
-        {.tone = tone_asked(options.tone, kUsualTone2), .exposure = options.exposure, .wanted_width = options.size});
+        {.tone = tone_asked(options.tone, kTone), .exposure = options.exposure, .wanted_width = options.size});
   }
   static Simulation simulation(const AnimateOptions& options, Scene2 scene, std::shared_ptr<FactorStore> store) {
     if (options.tolerance)
@@ -100,10 +101,11 @@ struct Plane {
 struct Space {
   using Simulation = Simulation3;
   using Painter = FilmPainter3;
+  static constexpr Tone kTone = kUsualTone3;
 
   static std::string text_of(const Scene3& scene) { return write_scene_3(scene); }
   static Painter painter(const AnimateOptions& options) {
-    return Painter({.tone = tone_asked(options.tone, kUsualTone3),
+    return Painter({.tone = tone_asked(options.tone, kTone),
                     .exposure = options.exposure,
                     .wanted_width = options.size,
                     .shading = *shading_of(options.shading)});
@@ -126,11 +128,11 @@ struct Space {
 };
 
 // What frames are of: where it is the same, those that are there are not made again.
-std::string key_of(const AnimateOptions& options, const std::string& scene, double tolerance) {
+std::string key_of(const AnimateOptions& options, Tone tone, const std::string& scene, double tolerance) {
   return sha256(fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", kVersion, rate_of(options).get_str(),
-                            options.levels.everywhere, options.levels.at_borders, options.grid,
-                            options.tone.value_or(""), shortest(options.exposure), options.size, options.shading,
-                            shortest(tolerance), options.method, scene) +
+                            options.levels.everywhere, options.levels.at_borders, options.grid, to_string(tone),
+                            shortest(options.exposure), options.size, options.shading, shortest(tolerance),
+                            options.method, scene) +
                 (options.guarantee.must_be_enclosed() ? "\nenclosed" : ""));
 }
 
@@ -236,7 +238,8 @@ void animate_scene(const AnimateOptions& options, AnyScene scene, Streams& strea
     streams.note("no light of " + scene.file + " turns or follows a path: all frames are alike");
   require_lights_beside_surfaces(scene, frames, per_second);
   FramesMade made;
-  made.key = key_of(options, Dimension::text_of(scene), tolerance_of(options.tolerance, 1e-9));
+  made.key = key_of(options, tone_asked(options.tone, Dimension::kTone), Dimension::text_of(scene),
+                    tolerance_of(options.tolerance, 1e-9));
   const std::filesystem::path directory = output_folder(options.out, options.scene);
   const OutputFolder folder(directory);
   if (FramesMade before = read_frames(directory); before.key == made.key) made = std::move(before);
