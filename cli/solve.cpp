@@ -227,6 +227,7 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
   require_shown(request.shown, scene);
   if (options.outlines || options.no_outlines)
     throw UsageError("--outlines and --no-outlines are for scenes in space: in the plane walls are lines");
+  if (options.shading == "gathered") throw UsageError("--shading gathered is for scenes in space");
   if (request.shown.is_light() && options.shading != "flat")
     throw UsageError("--shading in the plane is of the values of --show: light between the faces has no elements");
   if (!request.shown.is_light() && options.size > 0 && options.size < kMinPictureWidth)
@@ -359,8 +360,8 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
           "--shading", options.shading,
           "flat: each element has its value; smooth: values are blended over flat surfaces, in the plane along "
           "faces (of --show); parents: the same, the finest elements by the mean of each four, in the plane of each "
-          "two (--levels, --light-levels)")
-      ->check(CLI::IsMember({"flat", "smooth", "parents"}))
+          "two (--levels, --light-levels); gathered: in space each point has what arrives there, by exact visibility")
+      ->check(CLI::IsMember({"flat", "smooth", "parents", "gathered"}))
       ->capture_default_str();
   command
       .add_option("--render", options.render,

@@ -31,6 +31,7 @@
 #include "solver/space/light/oriented_lights.h"
 #include "solver/space/simulation/refined.h"
 #include "solver/store_plan.h"
+#include "viewer/picture/space/gathered_view.h"
 #include "viewer/picture/space/grid_picture.h"
 #include "viewer/picture/space/render_picture.h"
 
@@ -47,6 +48,8 @@ void require_what_space_has(const SolveOptions& options) {
   if (options.illumination != usual.illumination) refuse("--illumination");
   if (options.views != usual.views) refuse("--views");
   if (options.contours > 0) refuse("--contours");
+  if (options.shading == "gathered" && !options.render.empty() && picture_format(options.render) != PictureFormat::kPng)
+    throw UsageError("gathered light is of pixels: --render writes it as .png, not '" + options.render + "'");
   if (options.no_outlines && options.show == usual.show)
     throw UsageError("--no-outlines goes with --show of something else than light, which has none");
 }
@@ -112,7 +115,7 @@ struct GridFiles {
 
 // What a camera sees of what is asked for.
 std::unique_ptr<const RenderedView3> view_of(const SolveOptions& options, const Shown& shown,
-                                             const Simulation3& simulation) {
+                                             const Simulation3& simulation, const Streams& streams) {
   const auto factors = simulation.factors();
   const auto solution = simulation.radiosities();
   RenderOptions3 asked{.tone = *tone_of(options.tone),
@@ -120,7 +123,10 @@ std::unique_ptr<const RenderedView3> view_of(const SolveOptions& options, const 
                        .wanted_width = options.size,
                        .shading = *shading_of(options.shading),
                        .has_outlines = options.outlines || (!shown.is_light() && !options.no_outlines),
-                       .has_axes = options.axes};
+                       .has_axes = options.axes,
+                       .asked = shown,
+                       .light_shares = simulation.light_shares(),
+                       .progress = streams.progress("gathered light")};
   if (!shown.is_light()) asked.shown = shown_values(shown, simulation.scene(), factors->matrix, *solution, "W/m²");
   return naming_file(options.scene, [&] {
     return std::make_unique<const RenderedView3>(*simulation.prepared(), simulation.request().factors.granularity,
@@ -157,6 +163,7 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) 
 void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to_read, Streams& streams) {
   require_what_space_has(options);
   const Shown shown = shown_of(options);
+  if (options.shading == "gathered") require_gathered(shown);
   const bool wants_picture = !options.no_picture && (!options.no_illumination || !shown.is_light());
   require_shown(shown, scene);
   options.elements.apply_to(scene);
@@ -202,7 +209,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   watch.lap();
   std::unique_ptr<const RenderedView3> view;
   if (png) {
-    view = view_of(options, shown, simulation);
+    view = view_of(options, shown, simulation, streams);
     png->write(view->file(PictureFormat::kPng));
     if (render) render->write(view->file(*picture_format(options.render)));
     seconds["picture"] += watch.lap();

@@ -19,8 +19,8 @@ Tone tone_named(const std::string& name) {
 Shading shading_named(const std::string& name) {
   const auto shading = shading_of(name);
   if (!shading)
-    throw UnknownName("shading is one of 'flat', 'smooth', 'parents', not '" + name + "'", name,
-                      std::vector<std::string>{"flat", "smooth", "parents"});
+    throw UnknownName("shading is one of 'flat', 'smooth', 'parents', 'gathered', not '" + name + "'", name,
+                      std::vector<std::string>{"flat", "smooth", "parents", "gathered"});
   return *shading;
 }
 

@@ -9,11 +9,18 @@
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/visibility/convex_cut.h"
+#include "kernel/support/failure.h"
+#include "solver/space/light/gathered_light.h"
+#include "solver/space/light/scene_lights.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/colour_map.h"
 #include "viewer/picture/palette.h"
 #include "viewer/picture/png_file.h"
-#include "viewer/picture/raster.h"
+#include "viewer/picture/space/direct_view.h"
+#include "viewer/picture/space/gathered_view.h"
+#include "viewer/picture/space/pixel_raster.h"
+#include "viewer/picture/space/seen_sides.h"
+#include "viewer/picture/space/smooth_runs.h"
 #include "viewer/picture/space/tripod.h"
 
 namespace hottel {
@@ -24,6 +31,8 @@ constexpr double kFooterUnits = 72, kPen = 1.4;
 constexpr double kTitleOverBar = 1.6;  // how wide a title may be
 constexpr double kLeastBand = 2;       // pixels
 constexpr double kLeastArea = 1e-9;    // square pixels, of shapes that are drawn
+// How far gathered points may be from what their neighbours tell; between them it is a quarter of that as a rule.
+constexpr double kMostSteps = 1;
 
 double footer_unit(const Camera3& camera) { return std::max(camera.width / 1000.0, 0.6); }
 
@@ -87,11 +96,66 @@ RenderedView3::RenderedView3(const PreparedScene3& prepared, Granularity granula
   if (options_.shading == Shading::kParents)
     paint_.values = values_from_parents(table_.elements(), paint_.values, paint_.channels);
   if (options_.shading != Shading::kFlat) mesh_.emplace(prepared, table_);
-  pixels_ = camera_view_3(seen(), camera_);
+  if (options_.shading == Shading::kGathered)
+    gather(granularity, solution);
+  else
+    add_pixels(solution);
   if (options_.has_outlines) outlines_ = seen_outlines_3(prepared, camera_);
   if (options_.shown || options_.has_axes)
     footer_ = static_cast<std::uint32_t>(std::ceil(kFooterUnits * footer_unit(camera_)));
-  if (!options_.shown) tone_.emplace(options_.tone, options_.exposure, pixels_.values, pixels_.channels);
+  if (!options_.shown)
+    tone_ = options_.curve.value_or(ToneCurve(options_.tone, options_.exposure, pixels_.values, pixels_.channels));
+}
+
+// What elements have, and where direct light is told apart, that of each point.
+void RenderedView3::add_pixels(const RadiositySolution& solution) {
+  const bool is_apart = options_.light_shares && !options_.light_shares->empty() && !options_.shown;
+  if (!is_apart) {
+    pixels_ = camera_view_3(seen(), camera_);
+    return;
+  }
+  ElementPaint3 reflected = reflected_paint_3(prepared_, table_, solution, *options_.light_shares);
+  if (options_.shading == Shading::kParents)
+    reflected.values = values_from_parents(table_.elements(), reflected.values, reflected.channels);
+  pixels_ = camera_view_3({prepared_, table_, reflected, mesh_ ? &*mesh_ : nullptr}, camera_);
+  add_direct_light_3(prepared_, table_, solution, camera_, seen_sides_3(prepared_, camera_), pixels_);
+}
+
+void RenderedView3::gather(Granularity granularity, const RadiositySolution& solution) {
+  std::vector<double> radiosities;
+  for (std::size_t i = 0; i < table_.count(); ++i)
+    for (const ChannelSolution& channel : solution.channels) radiosities.push_back(channel.elements[i].radiosity);
+  const std::vector<PartRun3> runs = smooth_runs_3(prepared_, table_, *mesh_, radiosities, solution.channels.size());
+  const GatheredLight3 light(prepared_, granularity, solution, runs);
+  const Responses3 responses = responses_3(options_.asked, solution);
+  std::optional<SceneLights3> lights;
+  if (options_.shown) lights.emplace(prepared_);
+  // Errors are counted by a curve that is fitted to smooth elements, and as good as the one that is fitted at the end.
+  std::optional<ToneCurve> curve = options_.curve;
+  if (!curve && !options_.shown) {
+    const PixelValues3 smooth = camera_view_3(seen(), camera_);
+    curve.emplace(options_.tone, options_.exposure, smooth.values, smooth.channels);
+  }
+  pixels_ = gathered_view_3(
+                {prepared_, table_, paint_, responses, light, lights ? &*lights : nullptr}, camera_,
+                [&](std::span<const double> a, std::span<const double> b) {
+                  return steps_between(curve ? &*curve : nullptr, a, b);
+                },
+                kMostSteps, options_.progress)
+                .pixels;
+  if (!options_.shown)
+    add_direct_light_3(prepared_, table_, solution, camera_, seen_sides_3(prepared_, camera_), pixels_);
+}
+
+// In 256 levels.
+double RenderedView3::steps_between(const ToneCurve* curve, std::span<const double> a,
+                                    std::span<const double> b) const {
+  const auto colour = [curve](std::span<const double> shown) {
+    if (curve != nullptr) return (*curve)(shown);
+    return Colour{srgb_from_linear(shown[0]), srgb_from_linear(shown[1]), srgb_from_linear(shown[2])};
+  };
+  const Colour p = colour(a), q = colour(b);
+  return 255 * std::max({std::fabs(p.r - q.r), std::fabs(p.g - q.g), std::fabs(p.b - q.b)});
 }
 
 Colour RenderedView3::colour_of(std::span<const double> shown) const {
@@ -211,15 +275,7 @@ void RenderedView3::draw_footer(PictureCanvas& canvas) const {
 }
 
 std::string RenderedView3::png() const {
-  Raster raster(width(), height());
-  for (std::uint32_t y = 0; y < camera_.height; ++y)
-    for (std::uint32_t x = 0; x < camera_.width; ++x) {
-      const std::span<const double> shown = pixels_.at(x, y);
-      const std::array<std::uint8_t, 3> level =
-          tone_ ? tone_->levels(shown)
-                : std::array<std::uint8_t, 3>{srgb_level(shown[0]), srgb_level(shown[1]), srgb_level(shown[2])};
-      raster.pixels[std::size_t{y} * raster.width + x] = 0xFF000000u | level[0] << 16 | level[1] << 8 | level[2];
-    }
+  Raster raster = pixel_raster_3(pixels_, tone_ ? &*tone_ : nullptr, footer_);
   if (footer_ > 0 || !outlines_.empty()) {
     CairoCanvas canvas(raster);
     draw_outlines(canvas);
@@ -231,6 +287,7 @@ std::string RenderedView3::png() const {
 
 std::string RenderedView3::file(PictureFormat format) const {
   if (format == PictureFormat::kPng) return png();
+  if (options_.shading == Shading::kGathered) throw UsageError("gathered light is of pixels: it is written as .png");
   CairoCanvas canvas(format, width(), height());
   draw(canvas);
   return canvas.finish();
