@@ -228,6 +228,9 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
   if (options.outlines || options.no_outlines)
     throw UsageError("--outlines and --no-outlines are for scenes in space: in the plane walls are lines");
   if (options.shading == "gathered") throw UsageError("--shading gathered is for scenes in space");
+  if (!options.texels.empty()) throw UsageError("--texels is for scenes in space");
+  if (renders_numbers(options))
+    throw UsageError("--render writes numbers of scenes in space: in the plane they are in illumination.npy");
   if (request.shown.is_light() && options.shading != "flat")
     throw UsageError("--shading in the plane is of the values of --show: light between the faces has no elements");
   if (!request.shown.is_light() && options.size > 0 && options.size < kMinPictureWidth)
@@ -365,8 +368,14 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
       ->capture_default_str();
   command
       .add_option("--render", options.render,
-                  "the picture as this file too: .png, .svg or .pdf (in space polygons, sharp at any size)")
+                  "the picture as this file too: .png, .svg or .pdf (in space polygons, sharp at any size); in space "
+                  ".npy: the light of its pixels as numbers")
       ->type_name("FILE");
+  command
+      .add_option("--texels", options.texels,
+                  "in space: texels.npy and texels.png, the gathered light of a face at the middles of NX by NY "
+                  "parts, or what --show has")
+      ->type_name("NAME=NXxNY");
   for (const char* of_picture : {"--size", "--tone", "--exposure", "--contours", "--axes", "--show", "--channel",
                                  "--bar", "--shading", "--render", "--outlines", "--no-outlines"})
     no_picture->excludes(command.get_option(of_picture));

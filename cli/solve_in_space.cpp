@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -15,6 +16,8 @@
 #include "cli/room_for_elements.h"
 #include "cli/solve_files.h"
 #include "cli/unit_notes.h"
+#include "geometry/name.h"
+#include "geometry/scene_names.h"
 #include "io/files/output_file.h"
 #include "io/foreign/space/foreign_matrix.h"
 #include "io/results/npy.h"
@@ -31,9 +34,11 @@
 #include "solver/space/light/oriented_lights.h"
 #include "solver/space/simulation/refined.h"
 #include "solver/store_plan.h"
+#include "viewer/picture/space/gathered_source.h"
 #include "viewer/picture/space/gathered_view.h"
 #include "viewer/picture/space/grid_picture.h"
 #include "viewer/picture/space/render_picture.h"
+#include "viewer/picture/space/texels.h"
 
 namespace hottel {
 namespace {
@@ -48,7 +53,8 @@ void require_what_space_has(const SolveOptions& options) {
   if (options.illumination != usual.illumination) refuse("--illumination");
   if (options.views != usual.views) refuse("--views");
   if (options.contours > 0) refuse("--contours");
-  if (options.shading == "gathered" && !options.render.empty() && picture_format(options.render) != PictureFormat::kPng)
+  if (options.shading == "gathered" && !options.render.empty() && !renders_numbers(options) &&
+      picture_format(options.render) != PictureFormat::kPng)
     throw UsageError("gathered light is of pixels: --render writes it as .png, not '" + options.render + "'");
   if (options.no_outlines && options.show == usual.show)
     throw UsageError("--no-outlines goes with --show of something else than light, which has none");
@@ -113,6 +119,76 @@ struct GridFiles {
   }
 };
 
+// The name of a face and its texels.
+struct TexelChoice {
+  Face face;
+  std::string name;
+  Grid3 grid;
+};
+
+TexelChoice texels_of(const SolveOptions& options, const Scene3& scene) {
+  const auto end = options.texels.rfind('=');
+  if (end == std::string::npos)
+    throw UsageError("--texels takes NAME=NXxNY, a face and how many it has, not '" + options.texels + "'");
+  TexelChoice choice{{}, options.texels.substr(0, end), {}};
+  const auto [nu, nv] = two_numbers("--texels", "NAME=NXxNY", options.texels.substr(end + 1), kMaxGridCells3);
+  choice.face = face_of(scene, choice.name);
+  if (!scene.surfaces[choice.face.surface].material_of(choice.face.is_back))
+    throw UsageError("--texels: " + quoted_name(choice.name) + " has no material, and no light");
+  choice.grid = texel_grid_3(scene, choice.face, nu, nv);
+  return choice;
+}
+
+// The files of light on texels.
+struct TexelFiles {
+  TexelChoice choice;
+  OutputFile &npy, &sidecar;
+  OutputFile* png = nullptr;
+
+  TexelFiles(const SolveOptions& options, const Scene3& scene, SolveFiles& files)
+      : choice(texels_of(options, scene)), npy(files.add("texels.npy")), sidecar(files.add("texels.npy.json")) {
+    if (!options.no_picture) png = &files.add("texels.png");
+  }
+
+  void write(const Simulation3& simulation, const Shown& shown, const GridPicture3& how, const Streams& streams) {
+    const auto solution = simulation.radiosities();
+    const GatheredSource3 source(*simulation.prepared(), simulation.request().factors.granularity, *solution, shown);
+    const IlluminationGrid3 light =
+        texels_3(*simulation.prepared(), source, choice.face, choice.grid, streams.progress("light of texels"));
+    std::vector<std::size_t> shape{choice.grid.nv, choice.grid.nu};
+    if (shown.is_light()) shape.push_back(light.channels);
+    write_npy(shape, light.values, [this](std::string_view bytes) { npy.write(bytes); });
+    if (shown.is_light()) {
+      std::vector<std::string> channels = solution->channel_names;
+      channels.resize(light.channels);
+      sidecar.write(texel_sidecar(region_of(choice.grid), choice.name, channels));
+      if (png) png->write(grid_picture_3(light, how));
+      return;
+    }
+    ShownValues values = shown_values(shown, simulation.scene(), simulation.factors()->matrix, *solution, "W/m²");
+    sidecar.write(shown_sidecar(region_of(choice.grid), values.name, values.unit));
+    values.elements.clear();
+    for (const double value : light.values)
+      values.elements.push_back(std::isnan(value) ? std::nullopt : std::optional(value));
+    if (png) png->write(grid_picture_3(choice.grid, values, how));
+  }
+};
+
+// The light of pixels as numbers, and what they are.
+struct PixelFiles {
+  OutputFile &npy, &sidecar;
+
+  PixelFiles(const SolveOptions& options, SolveFiles& files)
+      : npy(files.add_elsewhere(options.render)), sidecar(files.add_elsewhere(options.render + ".json")) {}
+
+  void write(const PixelValues3& pixels, std::vector<std::string> channels) {
+    const std::size_t shape[3] = {pixels.height, pixels.width, pixels.channels};
+    write_npy(shape, pixels.values, [this](std::string_view bytes) { npy.write(bytes); });
+    channels.resize(pixels.channels);
+    sidecar.write(pixel_sidecar(pixels.height, pixels.width, channels));
+  }
+};
+
 // What a camera sees of what is asked for.
 std::unique_ptr<const RenderedView3> view_of(const SolveOptions& options, const Shown& shown,
                                              const Simulation3& simulation, const Streams& streams) {
@@ -126,6 +202,7 @@ std::unique_ptr<const RenderedView3> view_of(const SolveOptions& options, const 
                        .has_axes = options.axes,
                        .asked = shown,
                        .light_shares = simulation.light_shares(),
+                       .is_for_numbers = renders_numbers(options),
                        .progress = streams.progress("gathered light")};
   if (!shown.is_light()) asked.shown = shown_values(shown, simulation.scene(), factors->matrix, *solution, "W/m²");
   return naming_file(options.scene, [&] {
@@ -163,7 +240,7 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) 
 void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to_read, Streams& streams) {
   require_what_space_has(options);
   const Shown shown = shown_of(options);
-  if (options.shading == "gathered") require_gathered(shown);
+  if (options.shading == "gathered" || !options.texels.empty()) require_gathered(shown);
   const bool wants_picture = !options.no_picture && (!options.no_illumination || !shown.is_light());
   require_shown(shown, scene);
   options.elements.apply_to(scene);
@@ -184,8 +261,12 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
                            directory);
     grid.emplace(options, shown, files);
   }
+  std::optional<TexelFiles> texels;
+  if (!options.texels.empty()) texels.emplace(options, simulation.scene(), files);
   OutputFile* const png = wants_picture ? &files.add("render.png") : nullptr;
-  OutputFile* const render = options.render.empty() ? nullptr : &files.add_elsewhere(options.render);
+  std::optional<PixelFiles> numbers;
+  if (renders_numbers(options)) numbers.emplace(options, files);
+  OutputFile* const render = options.render.empty() || numbers ? nullptr : &files.add_elsewhere(options.render);
   const auto factors = simulation.factors(streams.stages());
   const Findings3 lost_light = lost_light_warnings(simulation.scene(), factors->matrix);
   if (!lost_light.empty()) streams.note(findings_text(simulation.scene(), lost_light));
@@ -207,11 +288,16 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   seconds["write"] = watch.lap();
   if (grid) grid->write(simulation, shown, grid_picture_of(options, simulation.scene()), streams, seconds);
   watch.lap();
+  if (texels) {
+    texels->write(simulation, shown, grid_picture_of(options, simulation.scene()), streams);
+    seconds["texels"] = watch.lap();
+  }
   std::unique_ptr<const RenderedView3> view;
   if (png) {
     view = view_of(options, shown, simulation, streams);
     png->write(view->file(PictureFormat::kPng));
     if (render) render->write(view->file(*picture_format(options.render)));
+    if (numbers) numbers->write(view->pixels(), solution->channel_names);
     seconds["picture"] += watch.lap();
   }
   const SolveReport report{
@@ -232,7 +318,8 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
       .store = options.store.report(request.factors.store),
       .dividing = dividing.get(),
       .warnings = with_unit_note(simulation.scene(), finding_notes(lost_light))};
-  files.finish(options, report, solved, render != nullptr ? "\nthe picture: " + options.render : "", streams);
+  files.finish(options, report, solved, render != nullptr || numbers ? "\nthe picture: " + options.render : "",
+               streams);
 }
 
 }  // namespace hottel

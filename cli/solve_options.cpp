@@ -34,6 +34,8 @@ LightTest light_test_of(const SolveOptions& options, const SceneTable& scene) {
   return *light_test(options.lights);
 }
 
+bool renders_numbers(const SolveOptions& options) { return options.render.ends_with(".npy"); }
+
 std::optional<PictureRange> range_of(const std::optional<ShownValues>& shown) {
   if (!shown) return std::nullopt;
   return PictureRange{shown->name, shown->unit, shown->least, shown->greatest, shown->scale.lower, shown->scale.upper};
@@ -56,7 +58,9 @@ Shown shown_of(const SolveOptions& options) {
     throw UsageError("--tone and --exposure are of --show light: " + options.show + " has a scale");
   if (!shown.is_light() && options.contours > 0)
     throw UsageError("--contours are of --show light: " + options.show + " is on the faces alone");
-  if (!options.render.empty() && !picture_format(options.render))
+  if (renders_numbers(options) && !shown.is_light())
+    throw UsageError("numbers of pixels are of --show light: of " + options.show + " they would be colours");
+  if (!options.render.empty() && !picture_format(options.render) && !renders_numbers(options))
     throw UsageError("a picture is written as .png, .svg or .pdf, not '" + options.render + "'");
   return shown;
 }

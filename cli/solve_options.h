@@ -30,7 +30,7 @@ struct SolveOptions {
   std::string grid, illumination = "point", tone = "log", views;
   double exposure = 1;
   std::uint32_t size = 0;
-  std::string show = "light", channel, bar, shading = "flat", render;
+  std::string show = "light", channel, bar, shading = "flat", render, texels;
   int contours = 0;
   bool axes = false;
   bool outlines = false, no_outlines = false;
@@ -66,6 +66,9 @@ void require_room_for_light(const SolveOptions& options, const std::array<std::u
 // options of light (--tone, --exposure, --contours) where something else is shown; and, for --render, unless its file
 // is a picture.
 Shown shown_of(const SolveOptions& options);
+
+// Whether --render asks for the numbers of pixels.
+bool renders_numbers(const SolveOptions& options);
 
 // The range of what is shown, for a report; nothing of nothing.
 std::optional<PictureRange> range_of(const std::optional<ShownValues>& shown);

@@ -27,10 +27,7 @@ double positive_part(double middle, double across, double down) {
   if (std::fabs(middle) >= (std::fabs(across) + std::fabs(down)) / 2) return middle > 0 ? 1 : 0;
   const PixelPolygon square{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
   const PixelPolygon part = cut_convex(
-      square, [&](const Pixel& p) { return middle + across * p.x + down * p.y; },
-      [](const Pixel& a, const Pixel& b, double t) {
-        return Pixel{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
-      });
+      square, [&](const Pixel& p) { return middle + across * p.x + down * p.y; }, place_between_3);
   return part.size() > 2 ? std::fabs(pixel_area_doubled_3(part)) / 2 : 0;
 }
 

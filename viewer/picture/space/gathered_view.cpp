@@ -23,16 +23,8 @@ constexpr double kFirstCell = 16, kLeastCell = 1;  // pixels
 constexpr double kInward = 1e-4;  // how far points are moved to the middle of what is seen, off edges of the scene
 constexpr double kSamePlace = 0x1p-20;  // pixels
 
-Pixel on_the_way(const Pixel& a, const Pixel& b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
-
-Pixel middle_of(const PixelPolygon& polygon) {
-  Pixel sum;
-  for (const Pixel& p : polygon) sum = {sum.x + p.x, sum.y + p.y};
-  return {sum.x / static_cast<double>(polygon.size()), sum.y / static_cast<double>(polygon.size())};
-}
-
 // A side that is seen, ready to be asked for points of it.
-struct Seen {
+struct SeenPlane {
   PixelPolygon outline;
   Pixel middle;
   Face side;
@@ -40,11 +32,11 @@ struct Seen {
   SidePlane3 plane;
 };
 
-std::vector<Seen> seen_of(const GatheredScene3& scene, const Camera3& camera) {
+std::vector<SeenPlane> seen_of(const GatheredScene3& scene, const Camera3& camera) {
   const std::vector<std::optional<std::uint32_t>> element = elements_of_sides_3(scene.prepared, scene.table);
-  std::vector<Seen> result;
+  std::vector<SeenPlane> result;
   for (SeenSide3& seen : seen_sides_3(scene.prepared, camera)) {
-    const Pixel middle = middle_of(seen.outline);
+    const Pixel middle = middle_of_corners_3(seen.outline);
     result.push_back({std::move(seen.outline), middle, seen.side, element[seen.side.number()],
                       SidePlane3(scene.prepared, seen.side, camera.eye)});
   }
@@ -52,9 +44,9 @@ std::vector<Seen> seen_of(const GatheredScene3& scene, const Camera3& camera) {
 }
 
 // Points of sides, each asked for once.
-class Points {
+class GatheredPoints {
  public:
-  Points(const GatheredScene3& scene, const std::vector<Seen>& seen, const Projection3& projection)
+  GatheredPoints(const GatheredScene3& scene, const std::vector<SeenPlane>& seen, const Projection3& projection)
       : scene_(scene), seen_(seen), projection_(projection), channels_(scene.responses.channels) {}
 
   // The number of the point of a side that is seen at a place.
@@ -90,23 +82,18 @@ class Points {
 
   void gather(std::size_t k) {
     throw_if_interrupted();
-    const Seen& seen = seen_[places_[k].seen];
-    const Pixel inner = on_the_way(places_[k].at, seen.middle, kInward);
+    const SeenPlane& seen = seen_[places_[k].seen];
+    const Pixel inner = place_between_3(places_[k].at, seen.middle, kInward);
     ways_[k] = seen.plane.way(projection_.direction(places_[k].at));
     std::vector<double> irradiance(scene_.light.channels());
     const Point3 point = seen.plane.point(seen.plane.way(projection_.direction(inner)));
     scene_.light.irradiance(point, seen.side, irradiance);
-    if (scene_.lights != nullptr) scene_.lights->add(point, normal_of_side(seen.side), irradiance);
+    if (scene_.lights != nullptr) scene_.lights->add(point, normal_of_side_3(scene_.prepared, seen.side), irradiance);
     scene_.responses.value(*seen.element, irradiance, std::span(values_).subspan(k * channels_, channels_));
   }
 
-  Vector3 normal_of_side(const Face& side) const {
-    const Vector3 n = doubled_area(scene_.prepared.arrangement().pieces()[side.surface].polygon);
-    return side.is_back ? Vector3{-n.x, -n.y, -n.z} : n;
-  }
-
   const GatheredScene3& scene_;
-  const std::vector<Seen>& seen_;
+  const std::vector<SeenPlane>& seen_;
   const Projection3& projection_;
   std::size_t channels_;
   std::map<Key, std::uint32_t> known_;
@@ -116,7 +103,7 @@ class Points {
 };
 
 // A part of a side that is seen, within a rectangle of pixels.
-struct Cell {
+struct SeenCell {
   std::uint32_t seen;
   PixelPolygon outline;
   Pixel low, high;
@@ -126,11 +113,11 @@ struct Cell {
   // How far a place is beyond the line that halves the rectangle.
   double beyond(const Pixel& p) const { return is_wide() ? p.x - (low.x + high.x) / 2 : p.y - (low.y + high.y) / 2; }
 
-  Cell half(bool is_beyond) const {
-    Cell result = *this;
+  SeenCell half(bool is_beyond) const {
+    SeenCell result = *this;
     const double sign = is_beyond ? 1 : -1;
     result.outline = cut_convex(
-        outline, [&](const Pixel& p) { return sign * beyond(p); }, on_the_way);
+        outline, [&](const Pixel& p) { return sign * beyond(p); }, place_between_3);
     if (is_wide())
       (is_beyond ? result.low : result.high).x = (low.x + high.x) / 2;
     else
@@ -161,7 +148,7 @@ class GatheredView {
         painter_(scene.paint, camera) {}
 
   Gathering3 run(const std::function<void(double)>& progress) {
-    std::vector<Cell> cells = first_cells();
+    std::vector<SeenCell> cells = first_cells();
     double done = 0, share = 0.5;  // each round takes about half of what is left
     while (!cells.empty()) {
       cells = refine(std::move(cells));
@@ -173,8 +160,8 @@ class GatheredView {
   }
 
  private:
-  std::vector<Cell> first_cells() {
-    std::vector<Cell> result;
+  std::vector<SeenCell> first_cells() {
+    std::vector<SeenCell> result;
     const double side = std::exp2(std::ceil(std::log2(std::max(camera_.width, camera_.height))));
     for (std::uint32_t k = 0; k < seen_.size(); ++k) {
       if (seen_[k].element)
@@ -185,33 +172,33 @@ class GatheredView {
     return result;
   }
 
-  void add_cells(const Cell& cell, std::vector<Cell>& result) const {
+  void add_cells(const SeenCell& cell, std::vector<SeenCell>& result) const {
     if (std::fabs(pixel_area_doubled_3(cell.outline)) < kLeastArea) return;
     if (cell.longer() <= kFirstCell) return result.push_back(cell);
     for (const bool is_beyond : {false, true})
-      if (Cell half = cell.half(is_beyond); half.outline.size() > 2) add_cells(half, result);
+      if (SeenCell half = cell.half(is_beyond); half.outline.size() > 2) add_cells(half, result);
   }
 
   // Draws the cells that are told well by their points, and returns the halves of the others.
-  std::vector<Cell> refine(std::vector<Cell> cells) {
+  std::vector<SeenCell> refine(std::vector<SeenCell> cells) {
     std::vector<Fan> fans;
-    for (Cell& cell : cells) fans.push_back(fan_of(cell));
+    for (SeenCell& cell : cells) fans.push_back(fan_of(cell));
     points_.gather();
-    std::vector<Cell> rest;
+    std::vector<SeenCell> rest;
     for (std::size_t k = 0; k < cells.size(); ++k) {
       if (cells[k].longer() <= kLeastCell || off(fans[k]) <= most_steps_) {
         draw(fans[k]);
         continue;
       }
       for (const bool is_beyond : {false, true})
-        if (Cell half = cells[k].half(is_beyond); std::fabs(pixel_area_doubled_3(half.outline)) >= kLeastArea)
+        if (SeenCell half = cells[k].half(is_beyond); std::fabs(pixel_area_doubled_3(half.outline)) >= kLeastArea)
           rest.push_back(std::move(half));
     }
     return rest;
   }
 
   // Makes the rectangle smaller until the line that halves it meets the outline.
-  Fan fan_of(Cell& cell) {
+  Fan fan_of(SeenCell& cell) {
     const auto all = [&cell](double sign) {
       return std::ranges::all_of(cell.outline, [&](const Pixel& p) { return sign * cell.beyond(p) >= 0; });
     };
@@ -224,12 +211,12 @@ class GatheredView {
       const bool is_halved = at_a * at_b < 0;
       if (is_halved) ends.push_back(fan.ring.size() + 1);
       fan.ring.push_back(points_.at(cell.seen, a));
-      fan.ring.push_back(points_.at(cell.seen, on_the_way(a, b, is_halved ? at_a / (at_a - at_b) : 0.5)));
+      fan.ring.push_back(points_.at(cell.seen, place_between_3(a, b, is_halved ? at_a / (at_a - at_b) : 0.5)));
     }
-    Pixel middle = middle_of(cell.outline);
+    Pixel middle = middle_of_corners_3(cell.outline);
     if (ends.size() == 2) {
       fan.ends = {ends[0], ends[1]};
-      middle = on_the_way(points_.place(fan.ring[ends[0]]), points_.place(fan.ring[ends[1]]), 0.5);
+      middle = place_between_3(points_.place(fan.ring[ends[0]]), points_.place(fan.ring[ends[1]]), 0.5);
     }
     fan.middle = points_.at(cell.seen, middle);
     return fan;
@@ -282,8 +269,8 @@ class GatheredView {
   const StepsBetween3& steps_between_;
   double most_steps_;
   Projection3 projection_;
-  std::vector<Seen> seen_;
-  Points points_;
+  std::vector<SeenPlane> seen_;
+  GatheredPoints points_;
   PixelPainter3 painter_;
 };
 
@@ -341,8 +328,8 @@ Gathering3 gathered_view_3(const GatheredScene3& scene, const Camera3& camera, c
 
 Gathering3 sampled_view_3(const GatheredScene3& scene, const Camera3& camera) {
   const Projection3 projection(camera);
-  const std::vector<Seen> seen = seen_of(scene, camera);
-  Points points(scene, seen, projection);
+  const std::vector<SeenPlane> seen = seen_of(scene, camera);
+  GatheredPoints points(scene, seen, projection);
   PixelPainter3 painter(scene.paint, camera);
   std::vector<std::pair<std::uint32_t, PixelCover3>> covers;
   for (std::uint32_t k = 0; k < seen.size(); ++k) {

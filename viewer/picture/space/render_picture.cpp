@@ -10,17 +10,16 @@
 #include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/visibility/convex_cut.h"
 #include "kernel/support/failure.h"
-#include "solver/space/light/gathered_light.h"
 #include "solver/space/light/scene_lights.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/colour_map.h"
 #include "viewer/picture/palette.h"
 #include "viewer/picture/png_file.h"
 #include "viewer/picture/space/direct_view.h"
+#include "viewer/picture/space/gathered_source.h"
 #include "viewer/picture/space/gathered_view.h"
 #include "viewer/picture/space/pixel_raster.h"
 #include "viewer/picture/space/seen_sides.h"
-#include "viewer/picture/space/smooth_runs.h"
 #include "viewer/picture/space/tripod.h"
 
 namespace hottel {
@@ -33,21 +32,22 @@ constexpr double kLeastBand = 2;       // pixels
 constexpr double kLeastArea = 1e-9;    // square pixels, of shapes that are drawn
 // How far gathered points may be from what their neighbours tell; between them it is a quarter of that as a rule.
 constexpr double kMostSteps = 1;
+constexpr double kPart = 0.004;  // the same of numbers, as a part of them
+
+// How far values are apart, as a part of the larger one, by the channel where that is most.
+double parts_between(std::span<const double> a, std::span<const double> b) {
+  double most = 0;
+  for (std::size_t c = 0; c < a.size(); ++c)
+    if (const double larger = std::max(std::fabs(a[c]), std::fabs(b[c])); larger > 0)
+      most = std::max(most, std::fabs(a[c] - b[c]) / larger);
+  return most;
+}
 
 double footer_unit(const Camera3& camera) { return std::max(camera.width / 1000.0, 0.6); }
 
 PixelPolygon cut(const PixelPolygon& polygon, const AffineValue3& above, double sign) {
   return cut_convex(
-      polygon, [&](const Pixel& p) { return sign * above.at(p); },
-      [](const Pixel& a, const Pixel& b, double t) {
-        return Pixel{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
-      });
-}
-
-Pixel middle_of(const PixelPolygon& polygon) {
-  Pixel sum;
-  for (const Pixel& p : polygon) sum = {sum.x + p.x, sum.y + p.y};
-  return {sum.x / static_cast<double>(polygon.size()), sum.y / static_cast<double>(polygon.size())};
+      polygon, [&](const Pixel& p) { return sign * above.at(p); }, place_between_3);
 }
 
 double diameter(const PixelPolygon& polygon) {
@@ -122,12 +122,7 @@ void RenderedView3::add_pixels(const RadiositySolution& solution) {
 }
 
 void RenderedView3::gather(Granularity granularity, const RadiositySolution& solution) {
-  std::vector<double> radiosities;
-  for (std::size_t i = 0; i < table_.count(); ++i)
-    for (const ChannelSolution& channel : solution.channels) radiosities.push_back(channel.elements[i].radiosity);
-  const std::vector<PartRun3> runs = smooth_runs_3(prepared_, table_, *mesh_, radiosities, solution.channels.size());
-  const GatheredLight3 light(prepared_, granularity, solution, runs);
-  const Responses3 responses = responses_3(options_.asked, solution);
+  const GatheredSource3 source(prepared_, granularity, solution, options_.asked);
   std::optional<SceneLights3> lights;
   if (options_.shown) lights.emplace(prepared_);
   // Errors are counted by a curve that is fitted to smooth elements, and as good as the one that is fitted at the end.
@@ -136,13 +131,13 @@ void RenderedView3::gather(Granularity granularity, const RadiositySolution& sol
     const PixelValues3 smooth = camera_view_3(seen(), camera_);
     curve.emplace(options_.tone, options_.exposure, smooth.values, smooth.channels);
   }
-  pixels_ = gathered_view_3(
-                {prepared_, table_, paint_, responses, light, lights ? &*lights : nullptr}, camera_,
-                [&](std::span<const double> a, std::span<const double> b) {
-                  return steps_between(curve ? &*curve : nullptr, a, b);
-                },
-                kMostSteps, options_.progress)
-                .pixels;
+  const auto steps = [&](std::span<const double> shown_a, std::span<const double> shown_b) {
+    const double levels = steps_between(curve ? &*curve : nullptr, shown_a, shown_b);
+    return options_.is_for_numbers ? std::max(levels, parts_between(shown_a, shown_b) / kPart) : levels;
+  };
+  pixels_ =
+      gathered_view_3(source.scene(paint_, lights ? &*lights : nullptr), camera_, steps, kMostSteps, options_.progress)
+          .pixels;
   if (!options_.shown)
     add_direct_light_3(prepared_, table_, solution, camera_, seen_sides_3(prepared_, camera_), pixels_);
 }
@@ -203,7 +198,7 @@ void RenderedView3::add_bands(const SeenPart3& part, std::span<const double> lev
   std::vector<double> value(paint_.channels);
   const auto add = [&](const PixelPolygon& band) {
     if (band.size() < 3) return;
-    part.shade->value(middle_of(band), value);
+    part.shade->value(middle_of_corners_3(band), value);
     fills.push_back({colour_of_value(value), {band}});
   };
   const double high = part.shade->high(weight);
@@ -228,7 +223,7 @@ RenderedView3::Shapes RenderedView3::shapes() const {
   for_each_seen_part(seen(), camera_, [&](const SeenPart3& part) {
     const bool has_value = part.element && paint_.has_value(*part.element);
     if (part.shade != nullptr) {
-      part.shade->value(middle_of(part.outline), value);
+      part.shade->value(middle_of_corners_3(part.outline), value);
       below.add(part.outline, colour_of_value(value));
       std::vector<ColouredPolygons> bands;
       add_bands(part, level, bands);

@@ -35,7 +35,8 @@ struct RenderOptions3 {
   // What lights send to elements first: then the direct light of pixels is that of each point, whatever the shading of
   // what is reflected (add_direct_light_3). Null: elements have it with the rest. Gathered light has no need of it.
   std::shared_ptr<const std::vector<LightShares>> light_shares = nullptr;
-  std::optional<ToneCurve> curve{};                // of the light, instead of one that is fitted to it
+  std::optional<ToneCurve> curve{};  // of the light, instead of one that is fitted to it
+  bool is_for_numbers = false;       // gathered light is told to a part of itself too, for who takes pixels()
   std::function<void(double)> progress = nullptr;  // of what is gathered: fraction done
 };
 
@@ -71,6 +72,9 @@ class RenderedView3 {
   const ToneCurve& tone() const { return *tone_; }
   // What is shown instead of the light.
   const std::optional<ShownValues>& shown() const { return options_.shown; }
+
+  // What pixels have before they are toned, in linear light: the light itself where it is shown.
+  const PixelValues3& pixels() const { return pixels_; }
 
   // Returns the bytes of a file. COST: of shapes once more that of the map.
   std::string file(PictureFormat format) const;

@@ -30,15 +30,18 @@ std::vector<std::optional<std::uint32_t>> elements_of_sides_3(const PreparedScen
   return result;
 }
 
+Vector3 normal_of_side_3(const PreparedScene3& prepared, const Face& side) {
+  const Vector3 n = doubled_area(prepared.arrangement().pieces()[side.surface].polygon);
+  return side.is_back ? Vector3{-n.x, -n.y, -n.z} : n;
+}
+
 PixelPolygon common_polygon_3(PixelPolygon polygon, const PixelPolygon& other) {
   const double sign = pixel_area_doubled_3(other) < 0 ? -1 : 1;
   for (std::size_t k = 0; k < other.size() && polygon.size() > 2; ++k) {
     const Pixel &a = other[k], &b = other[k + 1 == other.size() ? 0 : k + 1];
     polygon = cut_convex(
         polygon, [&](const Pixel& p) { return sign * ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)); },
-        [](const Pixel& p, const Pixel& q, double t) {
-          return Pixel{p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
-        });
+        place_between_3);
   }
   return polygon;
 }
