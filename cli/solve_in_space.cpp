@@ -152,7 +152,8 @@ struct TexelFiles {
 
   void write(const Simulation3& simulation, const Shown& shown, const GridPicture3& how, const Streams& streams) {
     const auto solution = simulation.radiosities();
-    const GatheredSource3 source(*simulation.prepared(), simulation.request().factors.granularity, *solution, shown);
+    const GatheredSource3 source(*simulation.prepared(), simulation.request().factors.granularity, *solution, shown,
+                                 *simulation.light_shares());
     const IlluminationGrid3 light =
         texels_3(*simulation.prepared(), source, choice.face, choice.grid, streams.progress("light of texels"));
     std::vector<std::size_t> shape{choice.grid.nv, choice.grid.nu};

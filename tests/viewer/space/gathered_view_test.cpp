@@ -11,8 +11,8 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 #include "solver/space/simulation/simulation.h"
+#include "viewer/picture/space/gathered_source.h"
 #include "viewer/picture/space/render_picture.h"
-#include "viewer/picture/space/smooth_runs.h"
 
 namespace hottel::gathered_view_test {
 namespace {
@@ -25,25 +25,18 @@ Simulation3 solved(const std::string& file, std::uint32_t elements) {
 
 // A solved scene with all that its gathered light is made of.
 struct Ready {
-  explicit Ready(const Simulation3& simulation, bool has_runs = true)
+  explicit Ready(const Simulation3& simulation)
       : solution(simulation.radiosities()),
         prepared(simulation.prepared()),
-        table(prepared->elements(Granularity::kElement)),
         paint(light_paint_3(prepared->scene, *solution)),
-        responses(light_responses_3(*solution)),
-        runs(has_runs ? smooth_runs_3(*prepared, *table, SmoothMesh3(*prepared, *table), paint.values, paint.channels)
-                      : std::vector<PartRun3>()),
-        light(*prepared, Granularity::kElement, *solution, runs) {}
+        source(*prepared, Granularity::kElement, *solution, {}, *simulation.light_shares()) {}
 
-  GatheredScene3 scene() const { return {*prepared, *table, paint, responses, light}; }
+  GatheredScene3 scene() const { return source.scene(paint); }
 
   std::shared_ptr<const RadiositySolution> solution;
   std::shared_ptr<const PreparedScene3> prepared;
-  std::shared_ptr<const ElementTable3> table;
   ElementPaint3 paint;
-  Responses3 responses;
-  std::vector<PartRun3> runs;
-  GatheredLight3 light;
+  GatheredSource3 source;
 };
 
 StepsBetween3 steps_of(const ToneCurve& tone) {
@@ -110,15 +103,16 @@ double largest_bend(const GatheredLight3& light, const Face& side, const Point3&
 // step of 256 is about a hundredth of the light.
 TEST(GatheredView3, HasNoStepsAlongEdges) {
   const Simulation3 simulation = solved("space/cornell_box.json", 4);
-  const Ready smooth(simulation), steps(simulation, false);
+  const Ready ready(simulation);
+  const GatheredLight3 with_steps(*ready.prepared, Granularity::kElement, *ready.solution);
   const auto& surfaces = simulation.scene().surfaces;
   const auto back = std::ranges::find(surfaces, "back", &Surface::name) - surfaces.begin();
   ASSERT_LT(back, static_cast<std::ptrdiff_t>(surfaces.size()));
   const std::uint32_t piece = simulation.prepared()->arrangement().pieces_on(static_cast<std::uint32_t>(back))[0];
   const Rational above(5588, 100'000), depth(5592, 10);
   const Point3 from{Rational(20), above, depth}, to{Rational(520), above, depth};
-  EXPECT_GT(largest_bend(steps.light, {piece, false}, from, to), 0.1);
-  EXPECT_LT(largest_bend(smooth.light, {piece, false}, from, to), 0.008);
+  EXPECT_GT(largest_bend(with_steps, {piece, false}, from, to), 0.1);
+  EXPECT_LT(largest_bend(ready.source.light(), {piece, false}, from, to), 0.008);
 }
 
 TEST(GatheredView3, ShowsNumbersOfPoints) {

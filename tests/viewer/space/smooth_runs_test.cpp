@@ -24,6 +24,13 @@ double area_of(const PartRun3::Triangle& t) {
   return length(cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0])) / 2;
 }
 
+// With the means of elements at the corners where they meet.
+std::vector<PartRun3> blended(const PreparedScene3& prepared, const ElementTable3& table,
+                              const std::vector<double>& values) {
+  const SmoothMesh3 mesh(prepared, table);
+  return smooth_runs_3(prepared, table, mesh, mesh.at_corners(values, 1), values, 1);
+}
+
 // Values that change slowly from element to element.
 std::vector<double> gentle_values(const ElementTable3& table) {
   std::vector<double> values;
@@ -35,7 +42,7 @@ TEST(SmoothRuns3, KeepTheMeansOfElements) {
   const PreparedScene3 prepared = divided("two_boxes.json", 4);
   const ElementTable3& table = *prepared.elements(Granularity::kElement);
   const std::vector<double> values = gentle_values(table);
-  const std::vector<PartRun3> runs = smooth_runs_3(prepared, table, SmoothMesh3(prepared, table), values, 1);
+  const std::vector<PartRun3> runs = blended(prepared, table, values);
   ASSERT_EQ(runs.size(), table.parts().size());
   int checked = 0;
   for (std::size_t k = 0; k < runs.size(); ++k) {
@@ -54,13 +61,12 @@ TEST(SmoothRuns3, KeepTheMeansOfElements) {
 TEST(SmoothRuns3, AreNeverNegativeAndEqualWhereAllIs) {
   const PreparedScene3 prepared = divided("cube.json", 3);
   const ElementTable3& table = *prepared.elements(Granularity::kElement);
-  const SmoothMesh3 mesh(prepared, table);
   std::vector<double> spikes(table.count(), 0.0);
   for (std::size_t k = 0; k < spikes.size(); k += 4) spikes[k] = 100;
-  for (const PartRun3& run : smooth_runs_3(prepared, table, mesh, spikes, 1))
+  for (const PartRun3& run : blended(prepared, table, spikes))
     for (const PartRun3::Triangle& t : run.triangles)
       for (const auto& value : t.values) EXPECT_GE(value[0], 0);
-  for (const PartRun3& run : smooth_runs_3(prepared, table, mesh, std::vector<double>(table.count(), 3.0), 1))
+  for (const PartRun3& run : blended(prepared, table, std::vector<double>(table.count(), 3.0)))
     for (const PartRun3::Triangle& t : run.triangles)
       for (const auto& value : t.values) EXPECT_NEAR(value[0], 3, 1e-14);
 }

@@ -119,19 +119,28 @@ class DirectView {
 
 }  // namespace
 
-ElementPaint3 reflected_paint_3(const PreparedScene3& prepared, const ElementTable3& table,
-                                const RadiositySolution& solution, std::span<const LightShares> shares) {
-  ElementPaint3 paint = light_paint_3(prepared.scene, solution);
+std::vector<double> direct_irradiances_3(const SceneTable& scene, const ElementTable3& table, std::size_t channels,
+                                         std::span<const LightShares> shares) {
+  std::vector<double> result(table.count() * channels);
   for (std::size_t k = 0; k < shares.size(); ++k)
     for (std::uint32_t i = 0; i < table.count(); ++i) {
       const Enclosure& share = shares[k].of_element[i];
       if (share.upper == 0 || !table.has_row(i)) continue;
-      const double irradiance = (share.lower + share.upper) / 2 / table.elements()[i].area.value;
-      for (std::size_t c = 0; c < paint.channels; ++c) {
-        double& value = paint.values[i * paint.channels + c];
-        const double direct = irradiance * to_double(prepared.scene.lights[k].power.value[c]);
-        value = std::max(0.0, value - solution.channels[c].elements[i].reflectivity * direct);
-      }
+      const double per_power = (share.lower + share.upper) / 2 / table.elements()[i].area.value;
+      for (std::size_t c = 0; c < channels; ++c)
+        result[i * channels + c] += per_power * to_double(scene.lights[k].power.value[c]);
+    }
+  return result;
+}
+
+ElementPaint3 reflected_paint_3(const PreparedScene3& prepared, const ElementTable3& table,
+                                const RadiositySolution& solution, std::span<const LightShares> shares) {
+  ElementPaint3 paint = light_paint_3(prepared.scene, solution);
+  const std::vector<double> direct = direct_irradiances_3(prepared.scene, table, paint.channels, shares);
+  for (std::uint32_t i = 0; i < table.count(); ++i)
+    for (std::size_t c = 0; c < paint.channels; ++c) {
+      double& value = paint.values[i * paint.channels + c];
+      value = std::max(0.0, value - solution.channels[c].elements[i].reflectivity * direct[i * paint.channels + c]);
     }
   return paint;
 }

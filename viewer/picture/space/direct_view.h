@@ -16,6 +16,11 @@
 
 namespace hottel {
 
+// Returns the irradiance of elements by lamps and suns directly, by element and channel of the light. shares: of the
+// lights of the scene, on the elements of the table.                                                        [W/m²]
+std::vector<double> direct_irradiances_3(const SceneTable& scene, const ElementTable3& table, std::size_t channels,
+                                         std::span<const LightShares> shares);
+
 // The light of a solution as light_paint_3 has it, without what elements reflect of light that comes to them from lamps
 // and suns directly. shares: of the lights of the scene, on the elements of the solution.
 ElementPaint3 reflected_paint_3(const PreparedScene3& prepared, const ElementTable3& table,

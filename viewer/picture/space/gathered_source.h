@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
+#include "solver/radiosity/direct_light.h"
 #include "solver/space/light/gathered_light.h"
 #include "solver/space/light/scene_lights.h"
 #include "viewer/picture/shown_values.h"
@@ -13,14 +15,16 @@
 
 namespace hottel {
 
-// The light of a solution, ready to be gathered: radiosity runs over the elements that send as smooth_runs_3 says, so
-// that nothing jumps at their borders.
+// The light of a solution, ready to be gathered: radiosity runs over the elements that send (smooth_runs_3), so that
+// nothing jumps at their borders. At the corners of elements it is what is gathered there, but for direct light, of
+// which corners have the mean of what elements around them have.
 //
-// REQUIRES that scene and solution outlive it. Throws as require_gathered. COST: that of a SmoothMesh3.
+// shares: of the lights of the scene. REQUIRES that scene and solution outlive it. Throws as require_gathered. COST:
+// that of a SmoothMesh3, and of GatheredLight3 for each corner.
 class GatheredSource3 {
  public:
   GatheredSource3(const PreparedScene3& prepared, Granularity granularity, const RadiositySolution& solution,
-                  const Shown& shown);
+                  const Shown& shown, std::span<const LightShares> shares);
 
   const GatheredLight3& light() const { return light_; }
   const Responses3& responses() const { return responses_; }

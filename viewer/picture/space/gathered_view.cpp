@@ -274,12 +274,11 @@ class GatheredView {
   PixelPainter3 painter_;
 };
 
-// What an element sends out besides what it reflects; of a face from which a flux is withdrawn it is below 0.
-double constant_of(const ElementRadiosity& element) {
+}  // namespace
+
+double sent_by_itself_3(const ElementRadiosity& element) {
   return element.reflectivity == 1 && element.emission == 0 ? element.net_value : element.emission;
 }
-
-}  // namespace
 
 void Responses3::value(std::uint32_t element, std::span<const double> irradiance, std::span<double> result) const {
   for (std::size_t c = 0; c < channels; ++c) {
@@ -296,7 +295,7 @@ Responses3 light_responses_3(const RadiositySolution& solution) {
                     .per_irradiance = {}};
   for (std::size_t i = 0; i < solution.channels[0].elements.size(); ++i)
     for (std::size_t c = 0; c < result.channels; ++c) {
-      result.constant.push_back(constant_of(solution.channels[c].elements[i]));
+      result.constant.push_back(sent_by_itself_3(solution.channels[c].elements[i]));
       for (std::size_t k = 0; k < result.of_light; ++k)
         result.per_irradiance.push_back(k == c ? solution.channels[c].elements[i].reflectivity : 0);
     }
@@ -318,7 +317,7 @@ Responses3 responses_3(const Shown& shown, const RadiositySolution& solution) {
     for (std::size_t c = 0; c < result.of_light; ++c) {
       const ElementRadiosity& element = solution.channels[c].elements[i];
       const double weight = shown.channel ? (*shown.channel == c ? 1 : 0) : result.of_light == 3 ? 1.0 / 3 : 1;
-      constant += is_irradiance ? 0 : weight * constant_of(element);
+      constant += is_irradiance ? 0 : weight * sent_by_itself_3(element);
       result.per_irradiance.push_back(weight * (is_irradiance ? 1 : element.reflectivity - (is_net ? 1 : 0)));
     }
     result.constant.push_back(constant);

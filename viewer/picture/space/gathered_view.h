@@ -29,6 +29,9 @@ struct Responses3 {
   void value(std::uint32_t element, std::span<const double> irradiance, std::span<double> result) const;
 };
 
+// What an element sends out besides what it reflects; of a face from which a flux is withdrawn it is below 0.
+double sent_by_itself_3(const ElementRadiosity& element);
+
 // The radiosity in its channels: emission, and reflectivity times irradiance; of two bands the solar one.
 Responses3 light_responses_3(const RadiositySolution& solution);
 // Throws UsageError for quantities that are not gathered: all but light, radiosity, irradiance and net.

@@ -122,7 +122,9 @@ void RenderedView3::add_pixels(const RadiositySolution& solution) {
 }
 
 void RenderedView3::gather(Granularity granularity, const RadiositySolution& solution) {
-  const GatheredSource3 source(prepared_, granularity, solution, options_.asked);
+  const GatheredSource3 source(
+      prepared_, granularity, solution, options_.asked,
+      options_.light_shares ? std::span<const LightShares>(*options_.light_shares) : std::span<const LightShares>());
   std::optional<SceneLights3> lights;
   if (options_.shown) lights.emplace(prepared_);
   // Errors are counted by a curve that is fitted to smooth elements, and as good as the one that is fitted at the end.

@@ -33,7 +33,8 @@ struct RenderOptions3 {
   bool has_axes = false;               // the axes and the box of the scene in the footer (Tripod3)
   Shown asked{};                       // what `shown` are values of; of Shading::kGathered
   // What lights send to elements first: then the direct light of pixels is that of each point, whatever the shading of
-  // what is reflected (add_direct_light_3). Null: elements have it with the rest. Gathered light has no need of it.
+  // what is reflected (add_direct_light_3). Null: elements have it with the rest.
+  // Gathered light has it of each point, and needs them of what sends.
   std::shared_ptr<const std::vector<LightShares>> light_shares = nullptr;
   std::optional<ToneCurve> curve{};  // of the light, instead of one that is fitted to it
   bool is_for_numbers = false;       // gathered light is told to a part of itself too, for who takes pixels()

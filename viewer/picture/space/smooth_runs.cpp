@@ -40,8 +40,8 @@ void keep_mean(PartRun3& run, std::span<const double> mean) {
 }  // namespace
 
 std::vector<PartRun3> smooth_runs_3(const PreparedScene3& prepared, const ElementTable3& table, const SmoothMesh3& mesh,
-                                    std::span<const double> values, std::size_t channels) {
-  const std::vector<double> at_corners = mesh.at_corners(values, channels);
+                                    std::span<const double> at_corners, std::span<const double> values,
+                                    std::size_t channels) {
   std::vector<PartRun3> result(table.parts().size());
   for (std::size_t k = 0; k < result.size(); ++k) {
     const std::span<const std::uint32_t> ring = mesh.ring(k);
