@@ -27,6 +27,7 @@
 #include "io/results/space/light_region.h"
 #include "io/results/space/radiosity_vtu.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/memory.h"
 #include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/plan_speed.h"
@@ -126,7 +127,9 @@ struct TexelChoice {
   Grid3 grid;
 };
 
-TexelChoice texels_of(const SolveOptions& options, const Scene3& scene) {
+// Throws before any work what makes no sense, and where there is no room.
+std::optional<TexelChoice> texels_of(const SolveOptions& options, const Scene3& scene) {
+  if (options.texels.empty()) return std::nullopt;
   const auto end = options.texels.rfind('=');
   if (end == std::string::npos)
     throw UsageError("--texels takes NAME=NXxNY, a face and how many it has, not '" + options.texels + "'");
@@ -136,6 +139,11 @@ TexelChoice texels_of(const SolveOptions& options, const Scene3& scene) {
   if (!scene.surfaces[choice.face.surface].material_of(choice.face.is_back))
     throw UsageError("--texels: " + quoted_name(choice.name) + " has no material, and no light");
   choice.grid = texel_grid_3(scene, choice.face, nu, nv);
+  const std::uint64_t bytes =
+      std::uint64_t{nu} * nv * static_cast<std::uint64_t>(channel_count(scene)) * sizeof(double);
+  if (const std::uint64_t allowed = memory_allowed(options.memory.value_or(0)); bytes > allowed)
+    throw RequestError(
+        fmt::format("{} x {} texels take {} bytes of memory; allowed are {}; take fewer", nu, nv, bytes, allowed));
   return choice;
 }
 
@@ -145,8 +153,8 @@ struct TexelFiles {
   OutputFile &npy, &sidecar;
   OutputFile* png = nullptr;
 
-  TexelFiles(const SolveOptions& options, const Scene3& scene, SolveFiles& files)
-      : choice(texels_of(options, scene)), npy(files.add("texels.npy")), sidecar(files.add("texels.npy.json")) {
+  TexelFiles(const SolveOptions& options, TexelChoice asked, SolveFiles& files)
+      : choice(std::move(asked)), npy(files.add("texels.npy")), sidecar(files.add("texels.npy.json")) {
     if (!options.no_picture) png = &files.add("texels.png");
   }
 
@@ -241,9 +249,10 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) 
 void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to_read, Streams& streams) {
   require_what_space_has(options);
   const Shown shown = shown_of(options);
-  if (options.shading == "gathered" || !options.texels.empty()) require_gathered(shown);
+  if (options.shading == "gathered" || !options.texels.empty()) require_gathered_3(shown);
   const bool wants_picture = !options.no_picture && (!options.no_illumination || !shown.is_light());
   require_shown(shown, scene);
+  const std::optional<TexelChoice> texel_choice = texels_of(options, scene);
   options.elements.apply_to(scene);
   require_room_for_solving(scene, options.memory, options.levels);
   const SimulationRequest3 request = request_of(options, scene);
@@ -263,7 +272,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
     grid.emplace(options, shown, files);
   }
   std::optional<TexelFiles> texels;
-  if (!options.texels.empty()) texels.emplace(options, simulation.scene(), files);
+  if (texel_choice) texels.emplace(options, *texel_choice, files);
   OutputFile* const png = wants_picture ? &files.add("render.png") : nullptr;
   std::optional<PixelFiles> numbers;
   if (renders_numbers(options)) numbers.emplace(options, files);

@@ -156,7 +156,7 @@ PythonPicture::Draw drawing(const Simulation3& simulation, const PictureRequest&
   const auto factors = simulation.factors(progress);
   const auto solution = simulation.radiosities(progress);
   if (request.is_of_grid) return drawing_of_grid(simulation, request, progress);
-  if (request.shading == Shading::kGathered) require_gathered(request.shown);
+  if (request.shading == Shading::kGathered) require_gathered_3(request.shown);
   RenderOptions3 options{.tone = request.tone,
                          .exposure = request.exposure,
                          .wanted_width = request.width,

@@ -19,7 +19,7 @@ namespace hottel {
 // nothing jumps at their borders. At the corners of elements it is what is gathered there, but for direct light, of
 // which corners have the mean of what elements around them have.
 //
-// shares: of the lights of the scene. REQUIRES that scene and solution outlive it. Throws as require_gathered. COST:
+// shares: of the lights of the scene. REQUIRES that scene and solution outlive it. Throws as require_gathered_3. COST:
 // that of a SmoothMesh3, and of GatheredLight3 for each corner.
 class GatheredSource3 {
  public:

@@ -302,13 +302,13 @@ Responses3 light_responses_3(const RadiositySolution& solution) {
   return result;
 }
 
-void require_gathered(const Shown& shown) {
+void require_gathered_3(const Shown& shown) {
   if (shown.quantity == Quantity::kTemperature || shown.quantity == Quantity::kFactor)
     throw UsageError("light, radiosity, irradiance and net are gathered: temperatures and factors are of elements");
 }
 
 Responses3 responses_3(const Shown& shown, const RadiositySolution& solution) {
-  require_gathered(shown);
+  require_gathered_3(shown);
   if (shown.is_light()) return light_responses_3(solution);
   const bool is_irradiance = shown.quantity == Quantity::kIrradiance, is_net = shown.quantity == Quantity::kNet;
   Responses3 result{.channels = 1, .of_light = solution.channels.size(), .constant = {}, .per_irradiance = {}};

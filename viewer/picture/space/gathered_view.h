@@ -35,9 +35,9 @@ double sent_by_itself_3(const ElementRadiosity& element);
 // The radiosity in its channels: emission, and reflectivity times irradiance; of two bands the solar one.
 Responses3 light_responses_3(const RadiositySolution& solution);
 // Throws UsageError for quantities that are not gathered: all but light, radiosity, irradiance and net.
-void require_gathered(const Shown& shown);
+void require_gathered_3(const Shown& shown);
 // Of light as above; radiosity, irradiance or net by the channel that is asked for, else their mean; of two bands their
-// sum. Throws as require_gathered.
+// sum. Throws as require_gathered_3.
 Responses3 responses_3(const Shown& shown, const RadiositySolution& solution);
 
 // What is looked at.

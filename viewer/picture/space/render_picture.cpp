@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -33,13 +34,13 @@ constexpr double kLeastArea = 1e-9;    // square pixels, of shapes that are draw
 // How far gathered points may be from what their neighbours tell; between them it is a quarter of that as a rule.
 constexpr double kMostSteps = 1;
 constexpr double kPart = 0.004;  // the same of numbers, as a part of them
+constexpr double kDark = 1e-6;   // of the largest radiosity: what is less is told to a part of that
 
-// How far values are apart, as a part of the larger one, by the channel where that is most.
-double parts_between(std::span<const double> a, std::span<const double> b) {
+// How far values are apart, as a part of the larger one or of the least that counts, by the channel where that is most.
+double parts_between(std::span<const double> a, std::span<const double> b, double least) {
   double most = 0;
   for (std::size_t c = 0; c < a.size(); ++c)
-    if (const double larger = std::max(std::fabs(a[c]), std::fabs(b[c])); larger > 0)
-      most = std::max(most, std::fabs(a[c] - b[c]) / larger);
+    most = std::max(most, std::fabs(a[c] - b[c]) / std::max({std::fabs(a[c]), std::fabs(b[c]), least}));
   return most;
 }
 
@@ -133,9 +134,10 @@ void RenderedView3::gather(Granularity granularity, const RadiositySolution& sol
     const PixelValues3 smooth = camera_view_3(seen(), camera_);
     curve.emplace(options_.tone, options_.exposure, smooth.values, smooth.channels);
   }
+  const double least = std::max(kDark * largest_radiosity(solution), std::numeric_limits<double>::min());
   const auto steps = [&](std::span<const double> shown_a, std::span<const double> shown_b) {
     const double levels = steps_between(curve ? &*curve : nullptr, shown_a, shown_b);
-    return options_.is_for_numbers ? std::max(levels, parts_between(shown_a, shown_b) / kPart) : levels;
+    return options_.is_for_numbers ? std::max(levels, parts_between(shown_a, shown_b, least) / kPart) : levels;
   };
   pixels_ =
       gathered_view_3(source.scene(paint_, lights ? &*lights : nullptr), camera_, steps, kMostSteps, options_.progress)

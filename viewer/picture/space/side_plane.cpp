@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "kernel/exact_double.h"
 #include "viewer/picture/space/projection.h"
 
 namespace hottel {
@@ -11,7 +12,7 @@ constexpr double kFine = 0x1p30;  // places are multiples of 1 / kFine
 
 Direction3 rounded_vector(const Vector3& v) { return {to_double(v.x), to_double(v.y), to_double(v.z)}; }
 
-Rational fine(double place) { return Rational(std::round(place * kFine)) / Rational(kFine); }
+Rational fine(double place) { return exact_value(std::round(place * kFine)) / exact_value(kFine); }
 
 }  // namespace
 
