@@ -364,8 +364,9 @@ void add_animate(Commands& commands) {
   command
       .add_option("--shading", options->shading,
                   "in space: flat: each element has its value; smooth: values are blended over flat surfaces; "
-                  "parents: the same, the finest elements by the mean of each four (--levels, --light-levels)")
-      ->check(CLI::IsMember({"flat", "smooth", "parents"}))
+                  "parents: the same, the finest elements by the mean of each four (--levels, --light-levels); "
+                  "gathered: each point has what arrives there, by exact visibility")
+      ->check(CLI::IsMember({"flat", "smooth", "parents", "gathered"}))
       ->capture_default_str();
   command
       .add_option("--tolerance", options->tolerance,

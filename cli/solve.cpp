@@ -247,6 +247,10 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
   require_shown(request.shown, scene);
   if (options.outlines || options.no_outlines)
     throw UsageError("--outlines and --no-outlines are for scenes in space: in the plane walls are lines");
+  if (options.shading == "gathered") throw UsageError("--shading gathered is for scenes in space");
+  if (!options.texels.empty()) throw UsageError("--texels is for scenes in space");
+  if (renders_array(options))
+    throw UsageError("--render writes numbers of scenes in space: in the plane they are in illumination.npy");
   if (request.shown.is_light() && options.shading != "flat")
     throw UsageError("--shading in the plane is of the values of --show: light between the faces has no elements");
   if (!request.shown.is_light() && options.size > 0 && options.size < kMinPictureWidth)
@@ -381,15 +385,19 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
           "--shading", options.shading,
           "flat: each element has its value; smooth: values are blended over flat surfaces, in the plane along "
           "faces (of --show); parents: the same, the finest elements by the mean of each four, in the plane of each "
-          "two (--levels, --light-levels)")
-      ->check(CLI::IsMember({"flat", "smooth", "parents"}))
+          "two (--levels, --light-levels); gathered: in space each point has what arrives there, by exact visibility")
+      ->check(CLI::IsMember({"flat", "smooth", "parents", "gathered"}))
       ->capture_default_str();
   command
-      .add_option(
-          "--render", options.render,
-          "the picture as this file too: .png, .svg or .pdf (in space polygons, sharp at any size), or .exr (linear "
-          "light as floats, in the plane a pixel a cell)")
+      .add_option("--render", options.render,
+                  "the picture as this file too: .png, .svg or .pdf (in space polygons, sharp at any size), .exr (linear "
+                  "light as floats, in the plane a pixel a cell), or in space .npy: the light of its pixels as numbers")
       ->type_name("FILE");
+  command
+      .add_option("--texels", options.texels,
+                  "in space: texels.npy and texels.png, the gathered light of a face at the middles of NX by NY "
+                  "parts, or what --show has")
+      ->type_name("NAME=NXxNY");
   for (const char* of_picture : {"--size", "--tone", "--exposure", "--contours", "--axes", "--show", "--channel",
                                  "--bar", "--shading", "--render", "--outlines", "--no-outlines"})
     no_picture->excludes(command.get_option(of_picture));

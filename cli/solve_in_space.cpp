@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -17,6 +18,8 @@
 #include "cli/solve_files.h"
 #include "cli/unit_notes.h"
 #include "cli/views.h"
+#include "geometry/name.h"
+#include "geometry/scene_names.h"
 #include "io/files/output_file.h"
 #include "io/foreign/space/foreign_matrix.h"
 #include "io/results/exr.h"
@@ -27,6 +30,7 @@
 #include "io/results/space/light_region.h"
 #include "io/results/space/radiosity_vtu.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/memory.h"
 #include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/plan_speed.h"
@@ -34,8 +38,11 @@
 #include "solver/space/light/oriented_lights.h"
 #include "solver/space/simulation/refined.h"
 #include "solver/store_plan.h"
+#include "viewer/picture/space/gathered_source.h"
+#include "viewer/picture/space/gathered_view.h"
 #include "viewer/picture/space/grid_picture.h"
 #include "viewer/picture/space/render_picture.h"
+#include "viewer/picture/space/texels.h"
 
 namespace hottel {
 namespace {
@@ -59,6 +66,9 @@ void require_what_space_has(const SolveOptions& options) {
   }
   if (options.illumination != usual.illumination) refuse("--illumination");
   if (options.contours > 0) refuse("--contours");
+  if (options.shading == "gathered" && !options.render.empty() && !renders_numbers(options) &&
+      picture_format(options.render) != PictureFormat::kPng)
+    throw UsageError("gathered light is of pixels: --render writes it as .png, not '" + options.render + "'");
   if (options.no_outlines && options.show == usual.show)
     throw UsageError("--no-outlines goes with --show of something else than light, which has none");
 }
@@ -129,9 +139,87 @@ struct GridFiles {
   }
 };
 
+// The name of a face and its texels.
+struct TexelChoice {
+  Face face;
+  std::string name;
+  Grid3 grid;
+};
+
+// Throws before any work what makes no sense, and where there is no room.
+std::optional<TexelChoice> texels_of(const SolveOptions& options, const Scene3& scene) {
+  if (options.texels.empty()) return std::nullopt;
+  const auto end = options.texels.rfind('=');
+  if (end == std::string::npos)
+    throw UsageError("--texels takes NAME=NXxNY, a face and how many it has, not '" + options.texels + "'");
+  TexelChoice choice{{}, options.texels.substr(0, end), {}};
+  const auto [nu, nv] = two_numbers("--texels", "NAME=NXxNY", options.texels.substr(end + 1), kMaxGridCells3);
+  choice.face = face_of(scene, choice.name);
+  if (!scene.surfaces[choice.face.surface].material_of(choice.face.is_back))
+    throw UsageError("--texels: " + quoted_name(choice.name) + " has no material, and no light");
+  choice.grid = texel_grid_3(scene, choice.face, nu, nv);
+  const std::uint64_t bytes =
+      std::uint64_t{nu} * nv * static_cast<std::uint64_t>(channel_count(scene)) * sizeof(double);
+  if (const std::uint64_t allowed = memory_allowed(options.memory.value_or(0)); bytes > allowed)
+    throw RequestError(
+        fmt::format("{} x {} texels take {} bytes of memory; allowed are {}; take fewer", nu, nv, bytes, allowed));
+  return choice;
+}
+
+// The files of light on texels.
+struct TexelFiles {
+  TexelChoice choice;
+  OutputFile &npy, &sidecar;
+  OutputFile* png = nullptr;
+
+  TexelFiles(const SolveOptions& options, TexelChoice asked, SolveFiles& files)
+      : choice(std::move(asked)), npy(files.add("texels.npy")), sidecar(files.add("texels.npy.json")) {
+    if (!options.no_picture) png = &files.add("texels.png");
+  }
+
+  void write(const Simulation3& simulation, const Shown& shown, const GridPicture3& how, const Streams& streams) {
+    const auto solution = simulation.radiosities();
+    const GatheredSource3 source(*simulation.prepared(), simulation.request().factors.granularity, *solution, shown,
+                                 *simulation.light_shares());
+    const IlluminationGrid3 light =
+        texels_3(*simulation.prepared(), source, choice.face, choice.grid, streams.progress("light of texels"));
+    std::vector<std::size_t> shape{choice.grid.nv, choice.grid.nu};
+    if (shown.is_light()) shape.push_back(light.channels);
+    write_npy(shape, light.values, [this](std::string_view bytes) { npy.write(bytes); });
+    if (shown.is_light()) {
+      std::vector<std::string> channels = solution->channel_names;
+      channels.resize(light.channels);
+      sidecar.write(texel_sidecar(region_of(choice.grid), choice.name, channels));
+      if (png) png->write(grid_picture_3(light, how));
+      return;
+    }
+    ShownValues values = shown_values(shown, simulation.scene(), simulation.factors()->matrix, *solution);
+    sidecar.write(shown_sidecar(region_of(choice.grid), values.name, values.unit));
+    values.elements.clear();
+    for (const double value : light.values)
+      values.elements.push_back(std::isnan(value) ? std::nullopt : std::optional(value));
+    if (png) png->write(grid_picture_3(choice.grid, values, how));
+  }
+};
+
+// The light of pixels as numbers, and what they are.
+struct PixelFiles {
+  OutputFile &npy, &sidecar;
+
+  PixelFiles(const SolveOptions& options, SolveFiles& files)
+      : npy(files.add_elsewhere(options.render)), sidecar(files.add_elsewhere(options.render + ".json")) {}
+
+  void write(const PixelValues3& pixels, std::vector<std::string> channels) {
+    const std::size_t shape[3] = {pixels.height, pixels.width, pixels.channels};
+    write_npy(shape, pixels.values, [this](std::string_view bytes) { npy.write(bytes); });
+    channels.resize(pixels.channels);
+    sidecar.write(pixel_sidecar(pixels.height, pixels.width, channels));
+  }
+};
+
 // What a camera sees of what is asked for.
 std::unique_ptr<const RenderedView3> view_of(const SolveOptions& options, const Shown& shown,
-                                             const Simulation3& simulation) {
+                                             const Simulation3& simulation, const Streams& streams) {
   const auto factors = simulation.factors();
   const auto solution = simulation.radiosities();
   RenderOptions3 asked{.tone = tone_asked(options.tone, kUsualTone3),
@@ -139,7 +227,11 @@ std::unique_ptr<const RenderedView3> view_of(const SolveOptions& options, const 
                        .wanted_width = options.size,
                        .shading = *shading_of(options.shading),
                        .has_outlines = options.outlines || (!shown.is_light() && !options.no_outlines),
-                       .has_axes = options.axes};
+                       .has_axes = options.axes,
+                       .asked = shown,
+                       .light_shares = simulation.light_shares(),
+                       .is_for_numbers = renders_numbers(options),
+                       .progress = streams.progress("gathered light")};
   if (!shown.is_light()) asked.shown = shown_values(shown, simulation.scene(), factors->matrix, *solution);
   return naming_file(options.scene, [&] {
     return std::make_unique<const RenderedView3>(*simulation.prepared(), simulation.request().factors.granularity,
@@ -187,8 +279,10 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   require_what_space_has(options);
   require_grid(options, scene);
   const Shown shown = shown_of(options);
+  if (options.shading == "gathered" || !options.texels.empty()) require_gathered_3(shown);
   const bool wants_picture = !options.no_picture && (!options.no_illumination || !shown.is_light());
   require_shown(shown, scene);
+  const std::optional<TexelChoice> texel_choice = texels_of(options, scene);
   options.elements.apply_to(scene);
   require_room_for_solving(scene, options.memory, options.levels);
   const SimulationRequest3 request = request_of(options, scene);
@@ -213,8 +307,12 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
     files.add(views->mtx);
     files.add(views->faces);
   }
+  std::optional<TexelFiles> texels;
+  if (texel_choice) texels.emplace(options, *texel_choice, files);
   OutputFile* const png = wants_picture ? &files.add("render.png") : nullptr;
-  OutputFile* const render = options.render.empty() ? nullptr : &files.add_elsewhere(options.render);
+  std::optional<PixelFiles> numbers;
+  if (renders_array(options)) numbers.emplace(options, files);
+  OutputFile* const render = options.render.empty() || numbers ? nullptr : &files.add_elsewhere(options.render);
   const auto factors = simulation.factors(streams.stages());
   const Findings3 lost_light = lost_light_warnings(simulation.scene(), factors->matrix);
   if (!lost_light.empty()) streams.note(findings_text(simulation.scene(), lost_light));
@@ -240,11 +338,17 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
                   {simulation.scene(), factors->matrix, request.factors.granularity, {}, {}},
                   options.memory.value_or(0), streams, *views);
   watch.lap();
+  if (texels) {
+    texels->write(simulation, shown, grid_picture_of(options, simulation.scene()), streams);
+    seconds["texels"] = watch.lap();
+  }
   std::unique_ptr<const RenderedView3> view;
   if (png) {
-    view = view_of(options, shown, simulation);
+    view = view_of(options, shown, simulation, streams);
     png->write(view->file(PictureFormat::kPng));
-    if (render)
+    if (numbers)
+      numbers->write(view->pixels(), solution->channel_names);
+    else if (render)
       render->write(is_exr(options.render) ? linear_picture(*view, solution->channel_names)
                                            : view->file(*picture_format(options.render)));
     seconds["picture"] += watch.lap();
@@ -270,7 +374,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
       .warnings = with_unit_note(simulation.scene(), finding_notes(lost_light))};
   files.finish(options, report, solved,
                (views ? "\nwhat the cells see: " + options.views : "") +
-                   (render != nullptr ? "\nthe picture: " + options.render : ""),
+                   (render != nullptr || numbers ? "\nthe picture: " + options.render : ""),
                streams);
 }
 

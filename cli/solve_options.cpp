@@ -35,6 +35,10 @@ LightTest light_test_of(const SolveOptions& options, const SceneTable& scene) {
   return *light_test(options.lights);
 }
 
+bool renders_array(const SolveOptions& options) { return options.render.ends_with(".npy"); }
+
+bool renders_numbers(const SolveOptions& options) { return renders_array(options) || is_exr(options.render); }
+
 std::optional<PictureRange> range_of(const std::optional<ShownValues>& shown) {
   if (!shown) return std::nullopt;
   return PictureRange{shown->name, shown->unit, shown->least, shown->greatest, shown->scale.lower, shown->scale.upper};
@@ -53,10 +57,11 @@ namespace {
 
 void require_render(const SolveOptions& options, const Shown& shown) {
   if (options.render.empty() || picture_format(options.render)) return;
-  if (!is_exr(options.render))
-    throw UsageError("a picture is written as .png, .svg, .pdf or .exr, not '" + options.render + "'");
-  require_exr("--render " + options.render);
-  if (!shown.is_light()) throw UsageError("--render FILE.exr is linear light: it goes with --show light");
+  if (!renders_numbers(options))
+    throw UsageError("a picture is written as .png, .svg, .pdf, .exr or .npy, not '" + options.render + "'");
+  if (is_exr(options.render)) require_exr("--render " + options.render);
+  if (!shown.is_light())
+    throw UsageError("--render " + options.render + " is linear light: it goes with --show light");
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ struct SolveOptions {
   std::optional<std::string> tone;  // nothing: that of the dimension
   double exposure = 1;
   std::uint32_t size = 0;
-  std::string show = "light", channel, bar, shading = "flat", render;
+  std::string show = "light", channel, bar, shading = "flat", render, texels;
   int contours = 0;
   bool axes = false;
   bool outlines = false, no_outlines = false;
@@ -67,6 +67,11 @@ void require_room_for_light(const SolveOptions& options, const std::array<std::u
 // options of light (--tone, --exposure, --contours) where something else is shown; and, for --render, unless its file
 // is a picture.
 Shown shown_of(const SolveOptions& options);
+
+// Whether --render asks for an array of the light of pixels; and for their light as an array or an OpenEXR file, before
+// any tone curve.
+bool renders_array(const SolveOptions& options);
+bool renders_numbers(const SolveOptions& options);
 
 // The range of what is shown, for a report; nothing of nothing.
 std::optional<PictureRange> range_of(const std::optional<ShownValues>& shown);

@@ -20,8 +20,8 @@ Tone tone_named(const std::optional<std::string>& name, bool is_plane) {
 Shading shading_named(const std::string& name) {
   const auto shading = shading_of(name);
   if (!shading)
-    throw UnknownName("shading is one of 'flat', 'smooth', 'parents', not '" + name + "'", name,
-                      std::vector<std::string>{"flat", "smooth", "parents"});
+    throw UnknownName("shading is one of 'flat', 'smooth', 'parents', 'gathered', not '" + name + "'", name,
+                      std::vector<std::string>{"flat", "smooth", "parents", "gathered"});
   return *shading;
 }
 

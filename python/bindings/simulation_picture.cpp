@@ -14,6 +14,7 @@
 #include "solver/space/light/oriented_lights.h"
 #include "viewer/picture/plane/illumination_picture.h"
 #include "viewer/picture/plane/shown_picture.h"
+#include "viewer/picture/space/gathered_view.h"
 #include "viewer/picture/space/grid_picture.h"
 #include "viewer/picture/space/render_picture.h"
 
@@ -49,6 +50,7 @@ struct PictureRequest {
 void require_sense_in_plane(const PictureKeywords& asked, const PictureRequest& request) {
   if (asked.outlines) throw UsageError("outlines are of scenes in space: in the plane walls are lines");
   if (asked.of != "scene") throw UsageError("of is of scenes in space: in the plane light has a picture of its grid");
+  if (request.shading == Shading::kGathered) throw UsageError("shading='gathered' is for scenes in space");
   if (request.shown.is_light() && request.shading != Shading::kFlat)
     throw UsageError("shading in the plane is of values of faces: light between the faces has no elements");
   if (!request.shown.is_light() && request.width > 0 && request.width < kMinPictureWidth)
@@ -152,12 +154,16 @@ PythonPicture::Draw drawing(const Simulation3& simulation, const PictureRequest&
   const auto factors = simulation.factors(progress);
   const auto solution = simulation.radiosities(progress);
   if (request.is_of_grid) return drawing_of_grid(simulation, request, progress);
+  if (request.shading == Shading::kGathered) require_gathered_3(request.shown);
   RenderOptions3 options{.tone = request.tone,
                          .exposure = request.exposure,
                          .wanted_width = request.width,
                          .shading = request.shading,
                          .has_outlines = request.has_outlines,
-                         .has_axes = request.has_axes};
+                         .has_axes = request.has_axes,
+                         .asked = request.shown,
+                         .light_shares = simulation.light_shares(progress),
+                         .progress = telling("gathered light", progress)};
   if (!request.shown.is_light())
     options.shown = shown_values(request.shown, simulation.scene(), factors->matrix, *solution);
   const auto prepared = simulation.prepared(progress);
@@ -202,7 +208,8 @@ void add_picture_questions(py::class_<PythonSimulation>& type) {
       "'LOW:HIGH', 'LOW:HIGH:log'. tone: of light, 'linear', 'reinhard', 'log' or 'max' (None: 'log' in the plane,\n"
       "'reinhard' in space), and what it is multiplied by "
       "before,\n"
-      "exposure. size: pixels across, 0 for the usual. shading: 'flat', 'smooth' or 'parents'. axes: coordinates and a "
+      "exposure. size: pixels across, 0 for the usual. shading: 'flat', 'smooth', 'parents' or, in space, 'gathered'. "
+      "axes: coordinates and a "
       "scale\n"
       "bar. contours: in the plane. outlines: in space, lines where surfaces end, bend or hide others; None: where a "
       "scale is shown. cells, "

@@ -547,7 +547,7 @@ class Simulation:
         tone: Literal["linear", "reinhard", "log", "max"] | None = ...,
         exposure: float = ...,
         size: int = ...,
-        shading: Literal["flat", "smooth", "parents"] = ...,
+        shading: Literal["flat", "smooth", "parents", "gathered"] = ...,
         axes: bool = ...,
         outlines: bool | None = ...,
         contours: int = ...,
@@ -564,7 +564,7 @@ class Simulation:
         tone: Literal["linear", "reinhard", "log", "max"] | None = ...,
         exposure: float = ...,
         size: int = ...,
-        shading: Literal["flat", "smooth", "parents"] = ...,
+        shading: Literal["flat", "smooth", "parents", "gathered"] = ...,
         cells: Sequence[int] | None = ...,
     ) -> Frames: ...
     def compare(
