@@ -4,12 +4,7 @@
 
 #include <cmath>
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
-#define HOTTEL_FOR_EACH_PROCESSOR __attribute__((target_clones("default", "avx2", "avx512f")))
-#else
-#define HOTTEL_FOR_EACH_PROCESSOR
-#endif
+#include "kernel/support/each_processor.h"
 
 namespace hottel {
 namespace {
