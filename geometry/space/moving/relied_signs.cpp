@@ -122,9 +122,24 @@ bool MovingPlanes3::rely_if_none_is_positive(std::span<const std::uint32_t> poin
 void MovingPlanes3::rely(std::span<const std::uint32_t> points, PlaneSide3 side) {
   const MovingVector3& m = normal(side.plane);
   for (const std::uint32_t point : points) {
-    const MovingCorner3 corner = corner_at(point, false, side);
-    rely(corner, side.plane, m, dot(corner.direction.first, m.first), sign(point, side.plane, m.first));
+    const BoundedVector& w = toward_[point];
+    const BoundedValue value = dot(w, m.first);
+    if (!keeps_signs_ && is_point_far(point, m, value)) {
+      counts_.count(SignTier::kFilter);
+      continue;
+    }
+    rely(corner_at(point, false, side), side.plane, m, value, sign(point, side.plane, m.first));
   }
+}
+
+// is_far_from_zero() of a point beside a plane.
+inline bool MovingPlanes3::is_point_far(std::uint32_t point, const MovingVector3& m, BoundedValue value) {
+  const BoundedVector& w = toward_[point];
+  const Direction3& move = moves_[point];
+  const double slope = dot(move, plain(m.first)) + dot(plain(w), m.second);
+  const double slope_error =
+      32 * kUnit * (unit_ * drifts_[point].size) * m.terms[0] + 32 * kUnit * (w.size + w.error / kUnit) * m.terms[1];
+  return is_far_from_zero({value.value, slope, 0}, {value.error, slope_error, 0});
 }
 
 // The polynomial of a corner beside a plane, with what it may be off.
