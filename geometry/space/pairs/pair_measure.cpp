@@ -577,6 +577,7 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
     return result;
   }
   const UnobstructedMeasure3 alone = measure_alone(i, j, tolerance, Effort3::kUsual);
+  if (alone.has_converged) result.alone = alone.measure;
   const long shift = blockers.vertices().shift();
   const MomentOrigin3 origin(setting.bodies, request.origin_shift, shift);
   EdgeSum3 sum(setting.bodies, origin, shift);

@@ -122,7 +122,10 @@ class Part {
 // values, and the square of the distance is at least (1 - a/A)^2 times that of y from the middle.
 double coordinate_error(int n, double most) {
   const double a = most * (n - 1) / (n + 1), rho = a + std::sqrt(a * a - 1), r = 1 / (rho * rho);
-  return 32.0 / 15 * a * a / std::pow(1 - a / most, 4) * std::pow(r, n) / (1 - r);
+  const double nearest = (1 - a / most) * (1 - a / most);
+  double last = 1;  // r^n
+  for (int k = 0; k < n; ++k) last *= r;
+  return 32.0 / 15 * a * a / (nearest * nearest) * last / (1 - r);
 }
 
 // Nodes for a coordinate with A = most; 0 where too many would be needed.
