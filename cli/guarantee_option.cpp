@@ -4,8 +4,8 @@
 
 namespace hottel {
 
-void GuaranteeOption::add_to(CLI::App& command, const std::string& what_for) {
-  command
+CLI::Option* GuaranteeOption::add_to(CLI::App& command, const std::string& what_for) {
+  return command
       .add_option("--guarantee", asked,
                   "in space: estimated (default), or enclosed: " + what_for +
                       "a pair without proven bounds within T is refused")

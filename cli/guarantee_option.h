@@ -13,7 +13,7 @@ struct GuaranteeOption {
   std::optional<std::string> asked;
 
   // `what_for`: what follows of factors that are proven, for the help.
-  void add_to(CLI::App& command, const std::string& what_for = "");
+  CLI::Option* add_to(CLI::App& command, const std::string& what_for = "");
   bool must_be_enclosed() const { return asked == "enclosed"; }
   // Throw UsageError where the option is given.
   void refuse_in_plane() const;

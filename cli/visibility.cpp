@@ -6,6 +6,7 @@
 #include <span>
 
 #include "cli/command.h"
+#include "cli/guarantee_option.h"
 #include "cli/oriented_points.h"
 #include "cli/scene_input.h"
 #include "cli/scene_lines.h"
@@ -42,6 +43,7 @@ struct VisibilityOptions {
   std::string scene, at, on, from, to, out, points, range, edge, side = "both";
   bool json = false, exact = false, irradiance = false, events = false, graph = false;
   PolygonOptions polygons;
+  GuaranteeOption guarantee;
 
   bool is_pair() const { return !from.empty() || !to.empty(); }
 };
@@ -319,10 +321,12 @@ ExitCode show(const ShownAnswer& shown, const VisibilityOptions& options, std::o
 
 ExitCode in_space(const VisibilityOptions& options, Scene3 scene, std::optional<PictureFormat> format,
                   Streams& streams) {
-  if (!options.is_pair()) return show(visibility_in_space(scene, options.at, options.on), options, format, streams);
+  const bool proves = options.guarantee.must_be_enclosed();
+  if (!options.is_pair())
+    return show(visibility_in_space(scene, options.at, options.on, proves), options, format, streams);
   if (format) throw UsageError("-o draws a pair of faces in the plane; this version does not in space");
   const Simulation3 simulation(std::move(scene));
-  return show({pair_in_space(simulation, options.from, options.to), {}}, options, format, streams);
+  return show({pair_in_space(simulation, options.from, options.to, proves), {}}, options, format, streams);
 }
 
 ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
@@ -340,6 +344,7 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
   Scene scene = read_scene_noting(options.scene, options.polygons, streams);
   if (options.is_pair()) note_unknown_unit(scene, streams);
   if (Scene3* const there = std::get_if<Scene3>(&scene)) return in_space(options, std::move(*there), format, streams);
+  options.guarantee.refuse_in_plane();
   const std::optional<Point2> eye =
       options.is_pair() || !options.on.empty() ? std::nullopt : std::optional(point(options.at));
   const Rational t = options.on.empty() ? Rational(0) : number_of(options.at, "--at with --on");
@@ -417,6 +422,8 @@ void add_visibility(Commands& commands) {
   edge->type_name("NAME");
   CLI::Option* events = command.add_flag("--events", options->events, "the critical lines of the scene");
   CLI::Option* graph = command.add_flag("--graph", options->graph, "all pairs of vertices that see each other");
+  CLI::Option* guarantee = options->guarantee.add_to(command, "what a point sees has proven bounds; ");
+  for (CLI::Option* other : {points, edge, events, graph}) guarantee->excludes(other);
   for (CLI::Option* other : {at, on, from, to, points}) {
     edge->excludes(other);
     events->excludes(other);

@@ -11,6 +11,7 @@
 #include "geometry/space/arrangement/arrangement.h"
 #include "geometry/space/exchange/pair_report.h"
 #include "geometry/space/scene/scene.h"
+#include "geometry/space/visibility/point_bounds.h"
 #include "geometry/space/visibility/point_map.h"
 #include "geometry/space/visibility/seen_faces.h"
 #include "io/results/space/map_report.h"
@@ -119,9 +120,14 @@ void refuse_lost_place(const Scene3& scene, const Arrangement3& arrangement, con
   throw RequestError("'" + on + "' at " + at + " is the place of another surface");
 }
 
+PointBounds3 proven(const Look3& look, const Blockers3& blockers, const Arrangement3& arrangement) {
+  const ExactMap3 map(blockers, look.eye);
+  return look.normal ? point_bounds(map, arrangement, *look.normal - Point3{}) : point_bounds(map, arrangement);
+}
+
 }  // namespace
 
-ShownAnswer visibility_in_space(const Scene3& scene, const std::string& at, const std::string& on) {
+ShownAnswer visibility_in_space(const Scene3& scene, const std::string& at, const std::string& on, bool proves) {
   const Look3 look = look_from(scene, at, on);
   const Arrangement3 arrangement(scene);
   if (!on.empty()) refuse_lost_place(scene, arrangement, at, on, look);
@@ -129,13 +135,15 @@ ShownAnswer visibility_in_space(const Scene3& scene, const std::string& at, cons
   const Solids3& solids = arrangement.solids();
   const std::optional<std::uint32_t> solid = on.empty() ? solids.around(look.eye) : std::nullopt;
   PointMap3 map;
+  std::optional<PointBounds3> bounds;
   if (!solid) {
     const Blockers3 blockers(arrangement.polygons());
     map = on.empty() ? faces_seen_from(look.eye, blockers, arrangement)
                      : with_owners(map_from(blockers, look), arrangement);
+    if (proves) bounds = proven(look, blockers, arrangement);
   }
-  VisibilityAnswer answer =
-      solid ? answer_in_solid_3(look, solids.meshes()[*solid].name, what) : map_answer(scene, solids, look, map, what);
+  VisibilityAnswer answer = solid ? answer_in_solid_3(look, solids.meshes()[*solid].name, what)
+                                  : map_answer(scene, solids, look, map, what, bounds ? &*bounds : nullptr);
   return {std::move(answer), [&scene, look, what, map = std::move(map)](PictureFormat format) {
             MapDrawing3 drawing = drawing_of(scene, look, map);
             drawing.title = "What is seen from " + what;
@@ -143,15 +151,20 @@ ShownAnswer visibility_in_space(const Scene3& scene, const std::string& at, cons
           }};
 }
 
-VisibilityAnswer pair_in_space(const Simulation3& simulation, const std::string& from, const std::string& to) {
+VisibilityAnswer pair_in_space(const Simulation3& simulation, const std::string& from, const std::string& to,
+                               bool proves) {
   const Scene3& scene = simulation.scene();
   const auto face_or_sky = [&scene](const std::string& name) {
     return name == "sky" ? std::nullopt : std::optional(face_of(scene, name));
   };
   const std::optional<Face> face_from = face_or_sky(from), face_to = face_or_sky(to);
   return naming_file(scene.file, [&] {
-    return pair_answer(scene, from, to,
-                       pair_report(*simulation.prepared(), face_from, face_to, simulation.request().factors.tolerance));
+    const double tolerance = simulation.request().factors.tolerance;
+    const PairReport3 report = pair_report(*simulation.prepared(), face_from, face_to, tolerance, proves);
+    if (proves && !report.is_enclosed())
+      throw RequestError("the pair has no enclosure within " + shortest(tolerance) + ": " + quoted_name(from) +
+                         " and " + quoted_name(to));
+    return pair_answer(scene, from, to, report);
   });
 }
 

@@ -57,6 +57,17 @@ TEST_F(PairInSpace, HasTheNumbersOfFactors) {
   EXPECT_EQ(pair["exchange"]["guarantee"].get<std::string>() + "\n", fields[6]);
 }
 
+TEST_F(PairInSpace, IsProvenWhereAskedFor) {
+  const Json usual = json(kBoxes + " --from floor --to rear"),
+             proven = json(kBoxes + " --from floor --to rear --guarantee enclosed");
+  EXPECT_EQ(usual["exchange"]["guarantee"], "estimated");
+  EXPECT_EQ(proven["exchange"]["guarantee"], "enclosed");
+  EXPECT_EQ(proven["factor"]["value"], usual["factor"]["value"]);
+  EXPECT_LT(proven["factor"]["upper"].get<double>() - proven["factor"]["lower"].get<double>(), 1e-9);
+  EXPECT_LT(proven["factor"]["lower"], usual["factor"]["value"]);
+  EXPECT_GT(proven["factor"]["upper"], usual["factor"]["value"]);
+}
+
 TEST_F(PairInSpace, TellsHowItWasSettledAndWhatItIsMadeOf) {
   const Json pair = json(kBoxes + " --from lamp --to floor");
   EXPECT_EQ(pair["from"], "lamp");

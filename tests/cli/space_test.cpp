@@ -124,6 +124,30 @@ TEST(Space, APointOfAFaceHasViewFactors) {
   }
 }
 
+TEST(Space, WhatAPointSeesIsProvenWhereAskedFor) {
+  const Workplace place;
+  const std::string command = "hottel visibility '" + std::string(HOTTEL_SOURCE_DIR) +
+                              "/scenes/space/two_boxes.json' --on floor --at 4/5,1/2 --json";
+  const auto usual = nlohmann::json::parse(place.run(command).out),
+             proven = nlohmann::json::parse(place.run(command + " --guarantee enclosed").out);
+  ASSERT_EQ(usual["faces"].size(), proven["faces"].size());
+  for (std::size_t k = 0; k < usual["faces"].size(); ++k) {
+    const auto &before = usual["faces"][k], &after = proven["faces"][k];
+    EXPECT_FALSE(before.contains("bounds"));
+    EXPECT_EQ(before["name"], after["name"]);
+    for (const char* number : {"factor", "fraction"}) {
+      const double value = after[number], lower = after["bounds"][number][0], upper = after["bounds"][number][1];
+      EXPECT_NEAR(value, before[number].get<double>(), 1e-14);
+      EXPECT_LE(lower, value);
+      EXPECT_LE(value, upper);
+      EXPECT_LE(upper - lower, 4e-16 * value);
+    }
+  }
+  // The room is closed: doubles leave a rest of rounding, what is proven does not.
+  EXPECT_EQ(proven["sky"]["factor"], 0);
+  EXPECT_LT(proven["sky"]["bounds"]["factor"][1], 1e-30);
+}
+
 TEST(Space, AMapIsDrawnInBothFormats) {
   const Workplace place;
   const std::string line = "hottel visibility '" + scene_file("room_boxes.obj") + "' --at 0.6,0.25,1.6 --quiet -o ";

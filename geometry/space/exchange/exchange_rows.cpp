@@ -234,6 +234,15 @@ std::vector<PairEntry> entries_of(const PreparedScene3& prepared, const ElementT
   return entries;
 }
 
+// Areas are doubles in the unit of PairMeasurer3, where the scene is 2^53 large at most.
+void require_areas(const ElementTable3& table) {
+  constexpr double kLeastArea = 0x1p-900;
+  for (std::uint32_t i = 0; i < table.count(); ++i)
+    if (table.has_row(i) && !(table.extent(i).enclosure().lower >= kLeastArea))
+      throw RequestError(fmt::format("{} is too small: surfaces may be 1e150 times smaller than the scene",
+                                     quoted_name(table.elements()[i].name)));
+}
+
 }  // namespace
 
 ExchangeRows3::ExchangeRows3(const PreparedScene3& prepared, const ExchangeRequest& request)
@@ -247,6 +256,7 @@ ExchangeRows3::ExchangeRows3(const PreparedScene3& prepared, const ExchangeReque
   HOTTEL_REQUIRE(request.tolerance > 0);
   Stopwatch watch;
   for (const std::uint32_t i : request.rows.labels(table_.elements())) is_chosen_[i] = 1;
+  require_areas(table_);
   require_room_for_pairs(prepared, table_, is_chosen_, most_, request.memory);
   for (std::uint32_t i = 0; i < table_.count(); ++i) missing_ += is_asked(i) ? 1 : 0;
   report_.seconds["prepare"] = prepared.seconds;

@@ -45,12 +45,13 @@ using Part = ElementTable3::Part;
 class Reporter {
  public:
   Reporter(const PreparedScene3& prepared, const std::optional<Face>& from, const std::optional<Face>& to,
-           double tolerance)
+           double tolerance, bool proves)
       : prepared_(prepared),
         table_(*prepared.elements(Granularity::kFace)),
         shares_(table_, prepared.blockers().vertices(), tolerance),
         from_(from),
-        to_(to) {
+        to_(to),
+        proves_(proves) {
     const Vertices3& vertices = prepared.blockers().vertices();
     const Rational unit = scaled_by_power_of_two(vertices.scale(), vertices.shift()) * metres_per_unit(prepared.scene);
     length_ = to_double(unit);
@@ -114,13 +115,13 @@ class Reporter {
   // As sum_pairs does: those that are not within their share come last, and more is tried for them where all together
   // are not within the tolerance.
   void measure(std::vector<PatchPair>& pairs) {
-    for (PatchPair& pair : pairs) measure(pair, {.share = pair.share, .effort = Effort3::kUsual});
+    for (PatchPair& pair : pairs) measure(pair, {.share = pair.share, .effort = Effort3::kUsual, .proves = proves_});
     const auto open = std::stable_partition(pairs.begin(), pairs.end(),
                                             [](const PatchPair& pair) { return pair.measure.problem.empty(); });
     if (open == pairs.end()) return;
     const double allowed = shares_.allowed(number_of(from_), number_of(to_));
     if (!(error_of(pairs) <= allowed) || is_undecided(pairs))
-      for (auto pair = open; pair != pairs.end(); ++pair) measure(*pair, {.share = pair->share});
+      for (auto pair = open; pair != pairs.end(); ++pair) measure(*pair, {.share = pair->share, .proves = proves_});
     if (!(error_of(pairs) <= allowed) || is_undecided(pairs)) fail(open->measure.problem);
   }
 
@@ -269,6 +270,7 @@ class Reporter {
   const ElementTable3& table_;
   const PairShares3 shares_;
   const std::optional<Face> from_, to_;
+  bool proves_;
   bool is_turned_ = false;          // pairs are measured from the face that comes first
   double length_ = 1, square_ = 1;  // of the doubles of Vertices3, in metres
   PairReport3 report_;
@@ -285,10 +287,10 @@ bool PairReport3::is_enclosed() const {
 }
 
 PairReport3 pair_report(const PreparedScene3& prepared, const std::optional<Face>& from, const std::optional<Face>& to,
-                        double tolerance) {
+                        double tolerance, bool proves) {
   HOTTEL_REQUIRE(tolerance > 0 && (from || to));
   const DefaultFloatingPoint arithmetic;
-  return Reporter(prepared, from, to, tolerance).make();
+  return Reporter(prepared, from, to, tolerance, proves).make();
 }
 
 }  // namespace hottel

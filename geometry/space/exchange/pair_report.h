@@ -68,11 +68,12 @@ struct PairReport3 {
   bool is_enclosed() const;
 };
 
-// Returns the report of a pair; nothing stands for the sky.
+// Returns the report of a pair; nothing stands for the sky. Where it `proves`, bounds of sums along edges are as narrow
+// as the tolerance, as a rule.
 //
 // Throws RequestError, naming the pair, where it cannot be measured, or its measures are beyond the range of doubles.
-// REQUIRES: a face at least. COST: that of measuring the pair twice.
+// REQUIRES: a face at least. COST: that of measuring the pair twice; some times that where it proves.
 PairReport3 pair_report(const PreparedScene3& prepared, const std::optional<Face>& from, const std::optional<Face>& to,
-                        double tolerance);
+                        double tolerance, bool proves = false);
 
 }  // namespace hottel

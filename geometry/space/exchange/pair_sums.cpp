@@ -276,7 +276,10 @@ void settle(const Measuring& measuring, std::vector<OpenPair>& open, std::vector
       continue;
     }
     const auto why = std::max_element(some.begin(), some.end(), [](const OpenPair& a, const OpenPair& b) {
-      return std::pair(a.is_undecided, a.sum.error) < std::pair(b.is_undecided, b.sum.error);
+      const auto key = [](const OpenPair& one) {
+        return std::tuple(one.is_undecided, !one.problem.empty(), one.sum.error);
+      };
+      return key(a) < key(b);
     });
     failures.push_back({some.front().a->label, some.front().b->label, reached(some), why->is_undecided, why->problem});
   }

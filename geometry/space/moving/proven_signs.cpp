@@ -6,7 +6,6 @@
 
 #include "geometry/space/moving/kept_sign.h"
 #include "geometry/space/moving/moving_planes.h"
-#include "kernel/exact_double.h"
 
 namespace hottel {
 namespace {
@@ -48,12 +47,19 @@ bool keeps_sign_3(const std::array<double, 3>& c, const std::array<double, 3>& e
 // both sides of it.
 bool keeps_sign_3(const std::array<Integer, 3>& c, int sign, double left, double right) {
   if (c[1] * c[1] <= 4 * c[0] * c[2]) return true;
-  const Rational l = -exact_value(left), r = exact_value(right);
-  const Rational c0(sign * c[0]), c1(sign * c[1]), c2(sign * c[2]);
-  const Rational q0 = c0 + l * (c1 + l * c2), q1 = c0 + r * (c1 + r * c2);
+  Integer l, r;
+  unsigned places_of_left, places_of_right;
+  split_double_3(left, l, places_of_left);
+  split_double_3(right, r, places_of_right);
+  const unsigned places = std::max(places_of_left, places_of_right);
+  l <<= places - places_of_left;
+  r <<= places - places_of_right;
+  // All times 4^places.
+  const Integer c0 = sign * (c[0] << 2 * places), c1 = sign * (c[1] << places), c2 = sign * c[2];
+  const Integer q0 = c0 - l * (c1 - l * c2), q1 = c0 + r * (c1 + r * c2);
   if (sgn(q0) <= 0 || sgn(q1) <= 0) return false;
-  const Rational b = c0 + c1 * (l + r) / 2 + c2 * l * r;
-  return sgn(b) >= 0 || b * b < q0 * q1;
+  const Integer twice_b = 2 * c0 + c1 * (r - l) - 2 * c2 * l * r;
+  return sgn(twice_b) >= 0 || twice_b * twice_b < 4 * q0 * q1;
 }
 
 bool MovingPlanes3::is_surely_far_from_zero(const Quadratic& near) const {

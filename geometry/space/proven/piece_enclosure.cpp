@@ -14,7 +14,9 @@ namespace {
 using namespace ball_arithmetic_3;
 
 constexpr int kFewestNodes = 4, kMostNodes = 20;
-constexpr double kMostRho = 5, kLeastRho = 1.7;
+// An ellipse has no larger rho than the first, nor than this part of that of the nearest singularity: wider ones need
+// more discs than they save nodes.
+constexpr double kMostRho = 4, kOfNearest = 0.65, kLeastRho = 1.7;
 // So often a part is halved, all parts of a piece together, the discs of an ellipse are divided, and so many there are.
 constexpr int kMostHalvings = 40, kAllHalvings = 128, kMostDivisions = 4, kMostDiscs = 80;
 // A bound on an ellipse that is this many times as large as the integrand could be says little.
@@ -122,10 +124,11 @@ double PieceEncloser3<Real>::nearest_singularity(double middle, double half) con
 template <class Real>
 std::optional<Ball3<double>> PieceEncloser3<Real>::enclose_by_rule(double low, double high) {
   const double middle = low + (high - low) / 2, half = up((high - low) / 2);
-  double rho = std::min(kMostRho, 0.8 * nearest_singularity(middle, half));
+  double rho = std::min(kMostRho, kOfNearest * nearest_singularity(middle, half));
   if (!(rho > kLeastRho) || !find_turns(middle)) return {};
+  find_polynomials(middle);
   for (; rho > kLeastRho; rho = std::sqrt(rho)) {
-    const std::optional<double> largest = largest_on_ellipse(middle, half, rho);
+    const std::optional<double> largest = largest_on_ellipse(half, rho);
     if (!largest) continue;
     int n = kFewestNodes;
     while (n < kMostNodes && error_of_rule_3(*largest, rho, n) > 2 * allowed_) ++n;
@@ -137,7 +140,7 @@ std::optional<Ball3<double>> PieceEncloser3<Real>::enclose_by_rule(double low, d
     const double last = 8 * kRoundoff<Real>;  // what nodes and weights may be off
     for (int k = 0; k < n; ++k) {
       const Ball3<Real> offset{Real(rule.node[k] * width), up(last * (high - low))};
-      sum = sum + Ball3<Real>{rule.weight[k], last} * integrand(piece_, moment_, low, offset);
+      sum = sum + Ball3<Real>{rule.weight[k], last} * at_node(low, offset);
     }
     sum = sum * Ball3<Real>{width, kRoundoff<Real> * (high - low)};
     const double value = static_cast<double>(sum.mid);
@@ -152,7 +155,8 @@ std::optional<Ball3<double>> PieceEncloser3<Real>::enclose_by_rule(double low, d
 // In the middle of a part: an angle never passes half a turn, so its sign stays where it is more than a right angle.
 template <class Real>
 bool PieceEncloser3<Real>::find_turns(double middle) {
-  std::vector<ProvenPoint3<Ball3<Real>>> corners;
+  thread_local std::vector<ProvenPoint3<Ball3<Real>>> corners;
+  corners.clear();
   for (const ProvenVector3<Real>& corner : piece_.corners) {
     const Ball3<Real> s = Ball3<Real>{Real(middle), 0} + Ball3<Real>{Real(-corner.base), 0};
     corners.push_back(at(corner, s));
@@ -173,55 +177,90 @@ bool PieceEncloser3<Real>::find_turns(double middle) {
 
 template <class Real>
 template <class Number>
-Number PieceEncloser3<Real>::angle(const SeenArc3& arc, Turn turn, const ProvenPoint3<Number>& normal,
-                                   const Number& over_length, const std::vector<ProvenPoint3<Number>>& corners,
-                                   const std::vector<Number>& lengths) const {
-  const ProvenPoint3<Number>&b = corners[arc.begin], &e = corners[arc.end];
-  const Number sine = dot(normal, cross(b, e)) * over_length, cosine = dot(b, e);
-  const Number both = lengths[arc.begin] * lengths[arc.end];
-  const Number two = Number::of(2, 0);
-  if (turn == 0) return two * arc_tangent(sine * inverse(both + cosine));
-  const Number rest = two * arc_tangent(sine * inverse(both - cosine));
-  const Number half = half_turn(static_cast<Number*>(nullptr));
-  return (turn > 0 ? half : -half) - rest;
+void PieceEncloser3<Real>::find_parts(const std::vector<ProvenPoint3<Number>>& corners,
+                                      const std::vector<ProvenPoint3<Number>>& normals,
+                                      const ProvenPoint3<Number>& moment, Parts<Number>& parts) const {
+  for (auto* list : {&parts.corner_squares, &parts.plane_squares, &parts.moments, &parts.sines, &parts.cosines})
+    list->clear();
+  for (const ProvenPoint3<Number>& corner : corners) parts.corner_squares.push_back(dot(corner, corner));
+  for (const ProvenPoint3<Number>& normal : normals) {
+    parts.plane_squares.push_back(dot(normal, normal));
+    parts.moments.push_back(dot(moment, normal));
+  }
+  for (const SeenArc3& arc : piece_.arcs) {
+    const ProvenPoint3<Number>&b = corners[arc.begin], &e = corners[arc.end];
+    parts.sines.push_back(dot(normals[arc.plane], cross(b, e)));
+    parts.cosines.push_back(dot(b, e));
+  }
 }
 
-// The sum over arcs of count / 2 (moment . normal) / |normal| times the angle, at t = from + offset.
 template <class Real>
-template <class Number, class Of>
-Number PieceEncloser3<Real>::integrand(const ProvenPiece3<Of>& piece, const ProvenMoment3<Of>& moment, double from,
-                                       const Number& offset) {
-  const auto since = [&](double base) { return (Number::of(Of(from), 0) + Number::of(Of(-base), 0)) + offset; };
-  thread_local std::vector<ProvenPoint3<Number>> corners, normals;
-  thread_local std::vector<Number> lengths, over_lengths, weights;
-  corners.clear();
-  normals.clear();
+template <class Number>
+Number PieceEncloser3<Real>::integrand(const Parts<Number>& parts) const {
+  thread_local std::vector<Number> lengths, over_lengths;
   lengths.clear();
   over_lengths.clear();
-  weights.clear();
-  const ProvenPoint3<Number> m{Number::of(moment.value.x, moment.error), Number::of(moment.value.y, moment.error),
-                               Number::of(moment.value.z, moment.error)};
-  for (const ProvenVector3<Of>& corner : piece.corners) {
-    corners.push_back(at(corner, since(corner.base)));
-    lengths.push_back(root(dot(corners.back(), corners.back())));
-  }
-  for (const ProvenVector3<Of>& plane : piece.planes) {
-    normals.push_back(at(plane, since(plane.base)));
-    over_lengths.push_back(inverse(root(dot(normals.back(), normals.back()))));
-    weights.push_back(dot(m, normals.back()) * over_lengths.back());
-  }
+  for (const Number& square : parts.corner_squares) lengths.push_back(root(square));
+  for (const Number& square : parts.plane_squares) over_lengths.push_back(inverse(root(square)));
+  const Number two = Number::of(2, 0), half = half_turn(static_cast<Number*>(nullptr));
   Number sum{};
-  for (std::size_t k = 0; k < piece.arcs.size(); ++k) {
-    const SeenArc3& arc = piece.arcs[k];
-    const Number theta = angle(arc, turns_[k], normals[arc.plane], over_lengths[arc.plane], corners, lengths);
-    sum = sum + Number::of(Of(arc.count / 2), 0) * weights[arc.plane] * theta;
+  for (std::size_t k = 0; k < piece_.arcs.size(); ++k) {
+    const SeenArc3& arc = piece_.arcs[k];
+    const Number both = lengths[arc.begin] * lengths[arc.end], sine = parts.sines[k] * over_lengths[arc.plane];
+    const Number rest = turns_[k] == 0 ? both + parts.cosines[k] : both - parts.cosines[k];
+    Number angle = two * arc_tangent(sine * inverse(rest));
+    if (turns_[k] != 0) angle = (turns_[k] > 0 ? half : -half) - angle;
+    sum = sum + Number::of(arc.count / 2, 0) * (parts.moments[arc.plane] * over_lengths[arc.plane]) * angle;
   }
   return sum;
 }
 
+template <class Real>
+Ball3<Real> PieceEncloser3<Real>::at_node(double from, const Ball3<Real>& offset) {
+  using Number = Ball3<Real>;
+  const auto since = [&](double base) { return (Number::of(Real(from), 0) + Number::of(Real(-base), 0)) + offset; };
+  const auto number = [&](const Real& value) { return Number::of(value, moment_.error); };
+  thread_local std::vector<ProvenPoint3<Number>> corners, normals;
+  thread_local Parts<Number> parts;
+  corners.clear();
+  normals.clear();
+  for (const ProvenVector3<Real>& corner : piece_.corners) corners.push_back(at(corner, since(corner.base)));
+  for (const ProvenVector3<Real>& plane : piece_.planes) normals.push_back(at(plane, since(plane.base)));
+  const LocalVector3<Real>& m = moment_.value;
+  find_parts<Number>(corners, normals, {number(m.x), number(m.y), number(m.z)}, parts);
+  return integrand(parts);
+}
+
+template <class Real>
+void PieceEncloser3<Real>::find_polynomials(double middle) {
+  const auto constant = [&](double value) { return polynomial_3(Ball3<double>::of(value, moment_in_doubles_.error)); };
+  thread_local std::vector<ProvenPoint3<ProvenPolynomial3>> corners, normals;
+  corners.clear();
+  normals.clear();
+  for (const ProvenVector3<double>& corner : in_doubles_.corners) corners.push_back(about(corner, middle));
+  for (const ProvenVector3<double>& plane : in_doubles_.planes) normals.push_back(about(plane, middle));
+  const LocalVector3<double>& m = moment_in_doubles_.value;
+  find_parts<ProvenPolynomial3>(corners, normals, {constant(m.x), constant(m.y), constant(m.z)}, polynomials_);
+}
+
+template <class Real>
+Disc3 PieceEncloser3<Real>::over_disc(const Disc3& offset) {
+  thread_local Parts<Disc3> parts;
+  const auto enclose = [&](const std::vector<ProvenPolynomial3>& from, std::vector<Disc3>& to) {
+    to.clear();
+    for (const ProvenPolynomial3& polynomial : from) to.push_back(over(polynomial, offset));
+  };
+  enclose(polynomials_.corner_squares, parts.corner_squares);
+  enclose(polynomials_.plane_squares, parts.plane_squares);
+  enclose(polynomials_.moments, parts.moments);
+  enclose(polynomials_.sines, parts.sines);
+  enclose(polynomials_.cosines, parts.cosines);
+  return integrand(parts);
+}
+
 // All numbers are real on the axis: what holds in the upper half holds in the lower one.
 template <class Real>
-std::optional<double> PieceEncloser3<Real>::largest_on_ellipse(double middle, double half, double rho) {
+std::optional<double> PieceEncloser3<Real>::largest_on_ellipse(double half, double rho) {
   const Axes axes(rho);
   const double x = axes.along / 2, y = axes.across / 2;
   std::array<Cell, 4 * kMostDivisions + 2> stack{Cell{-x, y, x, y, 0}, Cell{x, y, x, y, 0}};
@@ -234,7 +273,7 @@ std::optional<double> PieceEncloser3<Real>::largest_on_ellipse(double middle, do
     // The middle as a double may be off by half a unit of its last place, and so may the middle of the disc.
     const double radius = up(half * cell.radius() + 0x1p-50 * half * rho + 0x1p-52);
     const Disc3 offset{half * cell.x, half * cell.y, radius};
-    const Disc3 there = integrand(in_doubles_, moment_in_doubles_, middle, offset);
+    const Disc3 there = over_disc(offset);
     const double size = up(there.size() + there.rad);
     if (size <= kLoose * moment_.size) {
       largest = std::max(largest, size);

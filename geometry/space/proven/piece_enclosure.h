@@ -8,6 +8,7 @@
 #include "geometry/space/pieces/arc_sum.h"
 #include "geometry/space/pieces/sure_part.h"
 #include "geometry/space/proven/proof_counts.h"
+#include "geometry/space/proven/proven_polynomial.h"
 #include "geometry/space/proven/proven_vector.h"
 
 namespace hottel {
@@ -41,8 +42,9 @@ double error_of_rule_3(double largest, double rho, int n);
 // Encloses integrals of moment . Lambda over intervals of t. By the rule of n nodes on each part, of half length h, and
 // the ellipse with the ends of the part as foci and rho as the sum of its half axes, in half lengths: where the
 // integrand is analytic in it and no larger than M, the rule is off by no more than h error_of_rule_3(M, rho, n).
-// The upper half of the ellipse is covered by discs. Where one of them may hold a singular point it is divided, where
-// that does not help the ellipse shrinks, then the part is halved.
+// The upper half of the ellipse is covered by discs; over each the squares and products of vectors, which are
+// polynomials of t, are enclosed, and from them roots and angles. Where one of them may hold a singular point it is
+// divided, where that does not help the ellipse shrinks, then the part is halved.
 template <class Real>
 class PieceEncloser3 {
  public:
@@ -64,16 +66,30 @@ class PieceEncloser3 {
   std::optional<Ball3<double>> enclose_by_rule(double low, double high);
   bool find_turns(double middle);
   double nearest_singularity(double middle, double half) const;
-  std::optional<double> largest_on_ellipse(double middle, double half, double rho);
-  template <class Number, class Of>
-  Number integrand(const ProvenPiece3<Of>& piece, const ProvenMoment3<Of>& moment, double from, const Number& offset);
+  std::optional<double> largest_on_ellipse(double half, double rho);
+  // The integrand at a t, and over a disc of u = t - middle. REQUIRES: the turns are found.
+  Ball3<Real> at_node(double from, const Ball3<Real>& offset);
+  Disc3 over_disc(const Disc3& offset);
+  void find_polynomials(double middle);
+
+  // What the integrand is made of.
   template <class Number>
-  Number angle(const SeenArc3& arc, Turn turn, const ProvenPoint3<Number>& normal, const Number& over_length,
-               const std::vector<ProvenPoint3<Number>>& corners, const std::vector<Number>& lengths) const;
+  struct Parts {
+    std::vector<Number> corner_squares;          // of the directions to corners
+    std::vector<Number> plane_squares, moments;  // of normals, and their products with the moment
+    std::vector<Number> sines, cosines;          // n . (b x e) and b . e of arcs
+  };
+  template <class Number>
+  void find_parts(const std::vector<ProvenPoint3<Number>>& corners, const std::vector<ProvenPoint3<Number>>& normals,
+                  const ProvenPoint3<Number>& moment, Parts<Number>& parts) const;
+  // The sum over arcs of count / 2 (moment . normal) / |normal| times the angle.
+  template <class Number>
+  Number integrand(const Parts<Number>& parts) const;
 
   const ProvenPiece3<Real>& piece_;
   const ProvenMoment3<Real>& moment_;
   ProvenPiece3<double> in_doubles_;
+  Parts<ProvenPolynomial3> polynomials_;  // of u, for the part at hand
   ProvenMoment3<double> moment_in_doubles_;
   double allowed_, most_seen_, largest_ = 0;
   int halvings_left_;

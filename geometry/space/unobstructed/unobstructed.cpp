@@ -15,6 +15,7 @@
 #include "geometry/space/unobstructed/local_pair.h"
 #include "geometry/space/unobstructed/log_distance.h"
 #include "geometry/space/unobstructed/small_part.h"
+#include "geometry/space/vectors/moving_vector.h"
 #include "kernel/exact_double.h"
 
 namespace hottel {
@@ -162,17 +163,43 @@ std::optional<Approximation<double>> twice_the_area_in_doubles(const Patch3& pat
   return result;
 }
 
-UnobstructedMeasure3 enclosed(double value, double error, const Enclosure& area, double tolerance) {
+// The measure is `most` at most. Nothing else is known where a sum is beyond doubles.
+UnobstructedMeasure3 enclosed(double value, double error, double most, double allowed) {
+  if (!std::isfinite(value) || !std::isfinite(error)) value = error = most / 2;
   UnobstructedMeasure3 result;
   result.bounds = widened(value, error);
-  result.bounds.upper = std::max(std::min(result.bounds.upper, area.upper), std::numeric_limits<double>::denorm_min());
+  result.bounds.upper = std::max(std::min(result.bounds.upper, most), std::numeric_limits<double>::denorm_min());
   result.bounds.lower = std::min(result.bounds.lower, result.bounds.upper);
   result.measure = std::clamp(value, result.bounds.lower, result.bounds.upper);
   if (result.measure <= 0)
     result.measure = std::max(result.bounds.upper / 2, std::numeric_limits<double>::denorm_min());
   result.error = std::max(result.measure - result.bounds.lower, result.bounds.upper - result.measure) * (1 + 0x1p-50);
-  result.has_converged = result.error <= tolerance * area.lower;
+  result.has_converged = result.error <= allowed;
   return result;
+}
+
+// Less than the distance of two patches, in local coordinates: how far their boxes are apart along an axis.
+double least_distance(const LocalPair3& pair) {
+  double distance = 0;
+  for (double BoundedVector::*axis : {&BoundedVector::x, &BoundedVector::y, &BoundedVector::z}) {
+    std::array<double, 2> low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
+    for (int side = 0; side < 2; ++side)
+      for (const BoundedVector& corner : pair.corners(side)) {
+        low[side] = std::min(low[side], corner.*axis - corner.error);
+        high[side] = std::max(high[side], corner.*axis + corner.error);
+      }
+    distance = std::max({distance, low[0] - high[1], low[1] - high[0]});
+  }
+  return distance * (1 - 0x1p-50);
+}
+
+// A_i A_j / (pi d^2), which is more than the measure. `unit` is that of areas; infinite where boxes are not apart.
+double most_at_distance(const LocalPair3& pair, long unit, double area_i, double area_j) {
+  constexpr double kRoundings = 1 + 0x1p-45, kLeast = std::numeric_limits<double>::denorm_min();
+  long of_weight;
+  const double mantissa = mpz_get_d_2exp(&of_weight, pair.weight().get_mpz_t());
+  const double distance = ldexp_3(least_distance(pair) / mantissa, unit / 2 - of_weight);
+  return (area_i / distance + kLeast) * (area_j / distance + kLeast) / pi * kRoundings + kLeast;
 }
 
 }  // namespace
@@ -185,23 +212,26 @@ UnobstructedMeasure3 unobstructed_measure(const Vertices3& vertices, const Patch
   const Enclosure area{std::min(area_i.lower, area_j.lower), std::min(area_i.upper, area_j.upper)};
   const int exponent = std::ilogb(pair.extent()) + 1;
   const long unit = 2 * (exponent + pair.shift() - vertices.shift());
+  const double allowed = tolerance * area.lower;
   // Every way is proven, and none is good for all pairs: the first that is good enough is taken, or else the best.
   UnobstructedMeasure3 best;
+  double most = area.upper;
   const auto is_enough = [&](const auto& sum) {
     const UnobstructedMeasure3 measure = enclosed(in_units(static_cast<double>(sum.value), unit, pair.weight()),
-                                                  in_units(sum.error, unit, pair.weight()), area, tolerance);
-    if (best.measure == 0 || measure.error < best.error) best = measure;
+                                                  in_units(sum.error, unit, pair.weight()), most, allowed);
+    if (best.measure == 0 || !(best.error <= measure.error)) best = measure;
     return best.has_converged;
   };
   // What quadrature may be off by, in squares of what coordinates are scaled to. More digits cost next to nothing.
   const double error = std::min(tolerance, kEnough) / 2 * area.lower / in_units(1, unit, pair.weight());
   // Far below what is asked for, so that sums of rows do not see it; by default below what a double tells.
   if (const auto sum = measure_of_distant(pair, exponent, tolerance * tolerance); sum && is_enough(*sum)) return best;
+  most = std::min(most, most_at_distance(pair, unit - 2 * exponent, area_i.upper, area_j.upper));
   if (is_enough(OutlineSum<double>(pair, exponent)(error))) return best;
   if (const auto sum = measure_of_small(pair, exponent, error); sum && is_enough(*sum)) return best;
   if (is_enough(OutlineSum<long double>(pair, exponent)(error))) return best;
   // What no double can tell is not asked of wider numbers.
-  if (effort == Effort3::kAll && best.measure * kOfDouble <= tolerance * area.lower)
+  if (effort == Effort3::kAll && best.measure * kOfDouble <= allowed)
     is_enough(OutlineSum<WideReal>(pair, exponent)(error));
   return best;
 }

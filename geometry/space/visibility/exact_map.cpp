@@ -47,6 +47,20 @@ ExactCone3 with_corners(std::vector<IntegerVector> inward) {
   return result;
 }
 
+// The cone whose corners these ways are, in order, in either sense; some may be on the way between their neighbours.
+ExactCone3 around(std::vector<IntegerVector> ways) {
+  int sense = 0;
+  for (std::size_t k = 2; k < ways.size() && sense == 0; ++k) sense = dot_sign(cross(ways[0], ways[1]), ways[k]);
+  if (sense < 0) std::reverse(ways.begin(), ways.end());
+  std::vector<IntegerVector> inward;
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    IntegerVector side = primitive(cross(ways[k], ways[k + 1 == ways.size() ? 0 : k + 1]));
+    if (inward.empty() || side != inward.back()) inward.push_back(std::move(side));
+  }
+  if (inward.size() > 1 && inward.front() == inward.back()) inward.pop_back();
+  return with_corners(std::move(inward));
+}
+
 }  // namespace
 
 ExactCone3::Located ExactCone3::locate(const IntegerVector& direction) const {
@@ -171,13 +185,13 @@ ExactCone3 ExactMap3::cone_of(const Patch3& patch) const {
   for (const IntegerVector& corner : patch.corners)
     ways.push_back(sun_ ? sun_->toward(corner, patch.weight)
                         : difference(multiple(denominator_, corner), multiple(patch.weight, numerator_)));
-  // Seen from its front a patch runs counter-clockwise, and so clockwise around the ways to it.
-  if (dot_sign(cross(difference(ways[1], ways[0]), difference(ways[2], ways[1])), ways[0]) < 0)
-    std::reverse(ways.begin(), ways.end());
-  std::vector<IntegerVector> inward;
-  for (std::size_t k = 0; k < ways.size(); ++k)
-    inward.push_back(primitive(cross(ways[k], ways[k + 1 == ways.size() ? 0 : k + 1])));
-  return with_corners(std::move(inward));
+  return around(std::move(ways));
+}
+
+ExactCone3 ExactMap3::cone_of(const std::vector<Point3>& corners) const {
+  std::vector<IntegerVector> ways;
+  for (const Point3& corner : corners) ways.push_back(toward(corner));
+  return around(std::move(ways));
 }
 
 int ExactMap3::nearness(const Point3& point, std::uint32_t polygon) const {

@@ -67,6 +67,8 @@ class ExactMap3 {
 
   // The cone of a convex patch that lies on a polygon in whose plane the eye is not, nor the rays of the sun.
   ExactCone3 cone_of(const Patch3& patch) const;
+  // The same of a convex polygon in such a plane, by its corners in order, in either sense.
+  ExactCone3 cone_of(const std::vector<Point3>& corners) const;
 
   // Where a point lies of the plane of a polygon that is seen: +1 on the side of the eye, -1 beyond, 0 on it.
   int nearness(const Point3& point, std::uint32_t polygon) const;

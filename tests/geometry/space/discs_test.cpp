@@ -9,6 +9,7 @@
 
 #include "geometry/space/proven/ball.h"
 #include "geometry/space/proven/piece_enclosure.h"
+#include "geometry/space/proven/proven_polynomial.h"
 #include "kernel/legendre_rule.h"
 
 namespace hottel::discs_test {
@@ -64,6 +65,53 @@ TEST(Discs, OfPointsHoldWhatDoublesRoundAway) {
       EXPECT_TRUE(holds(disc, value));
       EXPECT_LE(disc.rad, 1e-9);  // near the ends of cuts
     }
+  }
+}
+
+// Coefficients anywhere in their balls, at points of the disc; and what a polynomial spans is told closely.
+TEST(ProvenPolynomials, HoldTheirValuesOverDiscs) {
+  std::mt19937_64 random(6);
+  for (int n = 0; n < 4000; ++n) {
+    ProvenPolynomial3 polynomial;
+    polynomial.count = 1 + random() % ProvenPolynomial3::kMost;
+    const double off = n % 2 == 0 ? 0 : 1e-3;
+    for (std::size_t k = 0; k < polynomial.count; ++k) polynomial.coefficient[k] = {between(random, -2, 2), off};
+    const Disc3 disc = some_disc(random), values = over(polynomial, disc);
+    for (int m = 0; m < 8; ++m) {
+      const Complex point = some_point(disc, random);
+      Complex value = 0;
+      for (std::size_t k = polynomial.count; k-- > 0;)
+        value = value * point + static_cast<long double>(polynomial.coefficient[k].mid + between(random, -off, off));
+      EXPECT_TRUE(holds(values, value));
+    }
+  }
+  // A line spans a disc; a square about its own root as well.
+  const ProvenPolynomial3 line{{{{1, 0}, {2, 0}}}, 2}, square{{{{0, 0}, {0, 0}, {1, 0}}}, 3};
+  EXPECT_NEAR(over(line, {3, 4, 0.5}).rad, 1, 1e-12);
+  EXPECT_NEAR(over(square, {0, 0, 0.5}).rad, 0.25, 1e-12);
+}
+
+// Sums and products of vectors are those of their values.
+TEST(ProvenPolynomials, AreThoseOfVectors) {
+  std::mt19937_64 random(7);
+  const auto some_vector = [&](bool is_linear) {
+    ProvenVector3<double> v;
+    for (auto& power : v.power) power = {between(random, -1, 1), between(random, -1, 1), between(random, -1, 1)};
+    if (is_linear) v.power[2] = {};
+    v.is_linear = is_linear;
+    v.base = between(random, 0, 1);
+    return v;
+  };
+  for (int n = 0; n < 2000; ++n) {
+    const auto a = some_vector(n % 2 == 0), b = some_vector(n % 3 == 0), c = some_vector(n % 5 == 0);
+    const double from = between(random, 0, 1), t = between(random, 0, 1);
+    const auto at_t = [&](const ProvenVector3<double>& v) { return at(v, Ball3<double>{t - v.base, 1e-16}); };
+    const Disc3 u{t - from, 0, 1e-16};
+    const Disc3 found = over(dot(about(a, from), cross(about(b, from), about(c, from))), u),
+                product = over(dot(about(a, from), about(b, from)), u);
+    EXPECT_NEAR(found.re, dot(at_t(a), cross(at_t(b), at_t(c))).mid, 1e-13);
+    EXPECT_NEAR(product.re, dot(at_t(a), at_t(b)).mid, 1e-13);
+    EXPECT_LE(std::max(found.rad, product.rad), 1e-12);
   }
 }
 

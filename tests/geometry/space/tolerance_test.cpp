@@ -2,7 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -131,6 +133,23 @@ void expect_closed(const BoxScene3& scene, double tolerance) {
 
 Rational two_to_minus(unsigned k) { return Rational(1) / Rational(Integer(1) << k); }
 
+// What passes a gap, or what something far away gets, is less than the tolerance long before doubles end.
+TEST(Tolerance3, GapsAndDistancesBeyondDigitsOfAnyKindAreMeasured) {
+  for (const int k : {60, 180, 280}) expect_closed(two_boxes_along_a_wall(tenth_to(k)), 1e-9);
+  for (const int k : {30, 90, 140}) {
+    BoxScene3 scene;
+    const Rational far = 1 / tenth_to(k);
+    scene.box("a", {0, 0, 0}, {1, 1, 1});
+    scene.box("b", {far, 0, 0}, {far + 1, 1, 2});
+    const RowsOf3 rows = rows_of(scene, 1e-9);
+    EXPECT_LE(rows.beyond, 1e-14) << k;
+    const PairSum3& facing = rows.pairs.at({"a east", "b west"});
+    const double most = rows.areas.at("a east") * std::pow(10.0, -k);
+    EXPECT_LE(facing.bounds.upper, std::max(most, std::numeric_limits<double>::denorm_min())) << k;
+    EXPECT_GT(facing.measure, 0) << k;
+  }
+}
+
 // The long edges of a needle pass what is narrower than a double is told by: between two parts of them nothing is left
 // out.
 TEST(Tolerance3, NeedlesBesideBoxesWithAStepOfTwoToMinus41AreMeasured) {
@@ -240,6 +259,18 @@ TEST(Tolerance3, APairThatFailsIsNamedOnceWithWhatWasReached) {
   EXPECT_THAT(far, Not(HasSubstr("all but touch")));
   EXPECT_EQ(count_of(far, "'low' and 'high'"), 1U) << far;
   EXPECT_THAT(refusal_of(screened(tenth_to(5)), 1e-20), HasSubstr("Some surfaces all but touch"));
+}
+
+TEST(Tolerance3, ASurfaceTooSmallForDoublesIsNamed) {
+  BoxScene3 scene;
+  scene.box("a", {0, 0, 0}, {1, 1, 1});
+  scene.box("b", {1 / tenth_to(160), 0, 0}, {2 / tenth_to(160), 1, 2});
+  try {
+    rows_of(scene, 1e-9);
+    ADD_FAILURE() << "was measured";
+  } catch (const RequestError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("is too small: surfaces may be 1e150 times smaller than the scene"));
+  }
 }
 
 TEST(PairShares3, OfAllPatchesTogetherAreTheTolerance) {

@@ -135,6 +135,27 @@ std::string looseness_is_broken(const Subject3& subject) {
   return wrong;
 }
 
+// What two rules and a residual agree on is no part of a proof: that holds them, each way, about whatever origin.
+std::string proof_is_broken(const Subject3& subject) {
+  const PairMeasure3& m = subject.measure();
+  if (!m.problem.empty()) return "";  // which other laws tell
+  std::string wrong;
+  for (const bool is_reversed : {false, true})
+    for (const double tolerance : {1e-7, 1e-10}) {
+      PairRequest3 how = request(tolerance);
+      how.proves = true;
+      how.is_reversed = is_reversed;
+      if (is_reversed) how.origin_shift[1] = std::sqrt(subject.area() / subject.scene().unit()) / 3;
+      const PairMeasure3 proven = subject.scene().measure(subject.i(), subject.j(), how);
+      const double slack = 2 * subject.slack();
+      if (!(proven.bounds.lower - slack <= m.measure && m.measure <= proven.bounds.upper + slack))
+        wrong += fmt::format("S = {:.17g}, proven within {:.0e}: in [{:.17g}, {:.17g}]\n", m.measure, tolerance,
+                             proven.bounds.lower, proven.bounds.upper);
+      if ((proven.bounds.upper == 0) != (m.bounds.upper == 0)) wrong += "proven: S is 0 only once\n";
+    }
+  return wrong;
+}
+
 std::string rays_are_broken(const Subject3& subject) {
   const oracle::FlatPair pair = oracle::first_pair(subject.polygons());
   const PairMeasure3& m = subject.measure();
@@ -443,6 +464,7 @@ const std::vector<Law3>& laws_3() {
                                      {"reversal", reversal_is_broken, 1},
                                      {"along edges", edges_are_broken, 2},
                                      {"loose", looseness_is_broken, 3},
+                                     {"proven", proof_is_broken, 4},
                                      {"rays", rays_are_broken, 2},
                                      {"quadrature", quadrature_is_broken, 37},
                                      {"translation", translation_is_broken, 7},
