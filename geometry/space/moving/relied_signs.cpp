@@ -253,13 +253,16 @@ bool MovingPlanes3::narrow(const std::array<double, 3>& c, const std::array<doub
 
 void MovingPlanes3::narrow_exactly(const std::array<Integer, 3>& c, int sign) {
   counts_.count(SignTier::kExact);
-  const Integer c0 = sign * c[0], c1 = sign * c[1], c2 = sign * c[2];
-  const Integer square = c1 * c1 - 4 * c0 * c2;
+  thread_local Integer square, product;
+  mpz_mul(square.get_mpz_t(), c[1].get_mpz_t(), c[1].get_mpz_t());
+  mpz_mul(product.get_mpz_t(), c[0].get_mpz_t(), c[2].get_mpz_t());
+  mpz_mul_2exp(product.get_mpz_t(), product.get_mpz_t(), 2);
+  square -= product;
   if (sgn(square) <= 0) return;
   // Doubles suffice from here: nothing cancels. Exponents are kept apart, for these numbers may be long.
   long e0, e1, e2, e3;
-  const double d0 = mpz_get_d_2exp(&e0, c0.get_mpz_t()), d1 = mpz_get_d_2exp(&e1, c1.get_mpz_t()),
-               d2 = mpz_get_d_2exp(&e2, c2.get_mpz_t());
+  const double d0 = sign * mpz_get_d_2exp(&e0, c[0].get_mpz_t()), d1 = sign * mpz_get_d_2exp(&e1, c[1].get_mpz_t()),
+               d2 = sign * mpz_get_d_2exp(&e2, c[2].get_mpz_t());
   double d3 = mpz_get_d_2exp(&e3, square.get_mpz_t());
   if (e3 % 2 != 0) {
     d3 *= 2;
