@@ -5,7 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "geometry/space/arrangement/surface_boxes.h"
+#include "geometry/space/between/pair_setting.h"
+#include "geometry/space/between/stopped_lines.h"
 #include "geometry/space/exchange/facing.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
@@ -54,23 +55,12 @@ class PartOfScene {
   double unit_;
 };
 
-void include_surface(const Blockers3& blockers, std::uint32_t surface, Box3& box) {
-  for (const VertexId3 v : blockers.outline(surface)) box.include(blockers.vertices().approximate(v));
-}
-
-bool is_partly_before(const Blockers3& blockers, std::uint32_t surface, const Part& part) {
-  const auto corners = blockers.outline(surface);
-  return std::any_of(corners.begin(), corners.end(), [&](VertexId3 v) {
-    SignTier tier;
-    return blockers.side_of(v, part.patch.surface, tier) * (part.is_back ? -1 : 1) > 0;
-  });
-}
-
 }  // namespace
 
 GroupsAlone3::GroupsAlone3(const PreparedScene3& prepared, const ElementTable3& table, double tolerance)
     : prepared_(prepared),
       table_(table),
+      boxes_(prepared.blockers()),
       shares_(table, prepared.blockers().vertices(), tolerance),
       members_(prepared.scene.groups.size()) {
   for (std::uint32_t s = 0; s < prepared.scene.surfaces.size(); ++s)
@@ -104,27 +94,26 @@ bool GroupsAlone3::for_each_facing(std::uint32_t i, std::uint32_t j, const Visit
   return true;
 }
 
-bool GroupsAlone3::may_stand_between(std::uint32_t piece, const Part& a, const Part& b) const {
-  const Blockers3& blockers = prepared_.blockers();
-  Box3 between, box;
-  include_surface(blockers, a.patch.surface, between);
-  include_surface(blockers, b.patch.surface, between);
-  include_surface(blockers, piece, box);
-  return box.meets(between) && is_partly_before(blockers, piece, a) && is_partly_before(blockers, piece, b);
+bool GroupsAlone3::is_undisturbed(const Part& a, const Part& b, std::span<const std::uint32_t> own) const {
+  const PairSetting3 setting(prepared_.blockers(), boxes_, a.patch, b.patch);
+  const auto is_own = [own](std::uint32_t piece) { return std::ranges::binary_search(own, piece); };
+  if (setting.sight == Sight3::kHidden) return is_own(setting.bodies.bodies.back().surface);
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t body = 2; body < setting.bodies.end_of_between(); ++body) {
+    const std::uint32_t piece = setting.bodies.bodies[body].surface;
+    if (is_own(piece)) continue;
+    if (stops_lines_of_corners(setting.bodies, body)) return false;
+    kept.push_back(piece);
+  }
+  if (kept.empty()) return true;
+  kept.insert(kept.end(), {a.patch.surface, b.patch.surface});
+  std::ranges::sort(kept);
+  return PartOfScene(prepared_, std::move(kept)).measure(a, b, shares_.share(a, b)).is_whole;
 }
 
 bool GroupsAlone3::is_undisturbed(std::uint32_t i, std::uint32_t j) const {
   const std::vector<std::uint32_t> own = pieces_of(i, j);
-  return for_each_facing(i, j, [&](const Part& a, const Part& b) {
-    std::vector<std::uint32_t> kept;
-    for (std::uint32_t p = 0; p < prepared_.blockers().size(); ++p)
-      if (!std::binary_search(own.begin(), own.end(), p) && may_stand_between(p, a, b)) kept.push_back(p);
-    if (kept.empty()) return true;
-    kept.insert(kept.end(), {a.patch.surface, b.patch.surface});
-    std::sort(kept.begin(), kept.end());
-    kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
-    return PartOfScene(prepared_, std::move(kept)).measure(a, b, shares_.share(a, b)).is_whole;
-  });
+  return for_each_facing(i, j, [&](const Part& a, const Part& b) { return is_undisturbed(a, b, own); });
 }
 
 void GroupsAlone3::refuse(std::uint32_t i, std::uint32_t j, const std::string& problem) const {

@@ -172,8 +172,12 @@ class Measuring {
       sum.bounds = pair.bounds;
     }
     if (request_.wants_visibility && !b.patch.is_sky() && !is_zero && !sum.is_whole && !is_of_groups(a, b))
-      sum.alone = unobstructed_measure(prepared_.blockers().vertices(), a.patch, b.patch, request_.tolerance).measure;
+      sum.alone = pair.alone > 0 ? pair.alone : measure_alone(a, b);
     return sum;
+  }
+
+  double measure_alone(const Part& a, const Part& b) const {
+    return unobstructed_measure(prepared_.blockers().vertices(), a.patch, b.patch, request_.tolerance).measure;
   }
 
   bool is_of_groups(const Part& a, const Part& b) const {

@@ -2,14 +2,11 @@
 // whatever length the processor has, and none of its results depends on that.
 #include "geometry/space/integrals/arc_lanes.h"
 
+#include <algorithm>
 #include <cmath>
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
-#define HOTTEL_FOR_EACH_PROCESSOR __attribute__((target_clones("default", "avx2", "avx512f")))
-#else
-#define HOTTEL_FOR_EACH_PROCESSOR
-#endif
+#include "geometry/space/pieces/arc_angle.h"
+#include "kernel/support/each_processor.h"
 
 namespace hottel {
 namespace {
@@ -71,22 +68,56 @@ static void add_arc(double half, const VectorLanes3& begin, const VectorLanes3& 
   }
 }
 
-bool sum_of_close_arcs(std::span<const SeenArc3> arcs, std::span<const MovingVector3> corners, double from,
-                       const Lanes3& offsets, VectorLanes3& sums, Lanes3& rounding) {
-  thread_local std::vector<VectorLanes3> at;
-  at.resize(corners.size());
-  Lanes3 spread{}, least;
-  least.fill(1);
-  for (std::size_t c = 0; c < corners.size(); ++c) {
-    set_units(corners[c], from, offsets, at[c], least);
-    raise_spread(at[c], at[0], spread);
+// Where corners are not close to each other.
+HOTTEL_FOR_EACH_PROCESSOR
+static void add_wide_arc(double count, int turn, const VectorLanes3& begin, const VectorLanes3& end,
+                         const VectorLanes3& normal, VectorLanes3& sums) {
+  for (std::size_t k = 0; k < kLanes3; ++k) {
+    const double bx = begin.x[k], by = begin.y[k], bz = begin.z[k];
+    const double ex = end.x[k], ey = end.y[k], ez = end.z[k];
+    const double x = ex - bx, y = ey - by, z = ez - bz;
+    const double sine =
+        normal.x[k] * (by * z - bz * y) + normal.y[k] * (bz * x - bx * z) + normal.z[k] * (bx * y - by * x);
+    const double angle = count * arc_angle(sine, bx * ex + by * ey + bz * ez, turn) / 2;
+    sums.x[k] += angle * normal.x[k];
+    sums.y[k] += angle * normal.y[k];
+    sums.z[k] += angle * normal.z[k];
   }
-  for (std::size_t k = 0; k < kLanes3; ++k)
-    if (!(least[k] > 0 && spread[k] < detail::kCloseCorners * detail::kCloseCorners)) return false;
+}
+
+namespace {
+
+// Sets the unit vectors along vectors; false where one is zero.
+bool set_all_units(std::span<const MovingVector3> vectors, double from, const Lanes3& offsets,
+                   std::vector<VectorLanes3>& units) {
+  units.resize(vectors.size());
+  Lanes3 least;
+  least.fill(1);
+  for (std::size_t v = 0; v < vectors.size(); ++v) set_units(vectors[v], from, offsets, units[v], least);
+  return std::ranges::all_of(least, [](double square) { return square > 0; });
+}
+
+}  // namespace
+
+bool sum_of_arcs_in_lanes(std::span<const SeenArc3> arcs, std::span<const MovingVector3> corners,
+                          std::span<const MovingVector3> planes, double from, const Lanes3& offsets, VectorLanes3& sums,
+                          Lanes3& rounding) {
+  thread_local std::vector<VectorLanes3> at, normals;
+  if (!set_all_units(corners, from, offsets, at)) return false;
+  Lanes3 spread{};
+  for (const VectorLanes3& corner : at) raise_spread(corner, at[0], spread);
+  const auto is_close = [](double square) { return square < detail::kCloseCorners * detail::kCloseCorners; };
+  const bool are_close = is_close(spread[0]);
+  if (!std::ranges::all_of(spread, [&](double square) { return is_close(square) == are_close; })) return false;
+  if (!are_close && !set_all_units(planes, from, offsets, normals)) return false;
   sums = {};
-  for (const SeenArc3& arc : arcs) add_arc(arc.count / 2, at[arc.begin], at[arc.end], at[0], sums);
-  for (std::size_t k = 0; k < kLanes3; ++k)
-    rounding[k] = detail::kArcRounding<double> * static_cast<double>(arcs.size()) * std::sqrt(spread[k]);
+  for (const SeenArc3& arc : arcs)
+    if (are_close)
+      add_arc(arc.count / 2, at[arc.begin], at[arc.end], at[0], sums);
+    else
+      add_wide_arc(arc.count, arc.turn, at[arc.begin], at[arc.end], normals[arc.plane], sums);
+  const double all = detail::kArcRounding<double> * static_cast<double>(arcs.size());
+  for (std::size_t k = 0; k < kLanes3; ++k) rounding[k] = all * (are_close ? std::sqrt(spread[k]) : 1.0);
   return true;
 }
 

@@ -91,7 +91,7 @@ Integrals<double> integrals(const StretchPiece3& piece, double low, double high)
     offsets[k] = width * (k < kFirst ? legendre_rule<double>(kCoarse<double>).node[k]
                                      : legendre_rule<double>(kFine<double>).node[std::min(k, kCount - 1) - kFirst]);
   VectorLanes3 lambda;
-  if (!sum_of_close_arcs(piece.arcs, piece.corners, low, offsets, lambda, rounding))
+  if (!sum_of_arcs_in_lanes(piece.arcs, piece.corners, piece.planes, low, offsets, lambda, rounding))
     return integrals_point_by_point<double>(piece, low, high);
   const auto lanes_from = [&](std::size_t first) {
     return [&lambda, first](int node, double) {

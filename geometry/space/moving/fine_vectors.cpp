@@ -43,6 +43,20 @@ MovingVector3 rounded_powers(const std::array<IntegerVector, 3>& powers, double 
   return result;
 }
 
+// Sets the powers of s' of a polynomial in s = s' + p / q, times q^2, with q = 2^places.
+void set_moved(const std::array<const Integer*, 3>& from, const Integer& p, unsigned places,
+               const std::array<Integer*, 3>& to) {
+  thread_local Integer scaled, step;
+  for (std::size_t k = 0; k < 3; ++k) mpz_mul_2exp(to[k]->get_mpz_t(), from[k]->get_mpz_t(), 2 * places);
+  mpz_mul_2exp(scaled.get_mpz_t(), from[1]->get_mpz_t(), places);
+  mpz_addmul(to[0]->get_mpz_t(), p.get_mpz_t(), scaled.get_mpz_t());
+  if (sgn(*from[2]) == 0) return;
+  mpz_mul(step.get_mpz_t(), p.get_mpz_t(), p.get_mpz_t());
+  mpz_addmul(to[0]->get_mpz_t(), step.get_mpz_t(), from[2]->get_mpz_t());
+  mpz_mul_2exp(scaled.get_mpz_t(), from[2]->get_mpz_t(), places + 1);
+  mpz_addmul(to[1]->get_mpz_t(), p.get_mpz_t(), scaled.get_mpz_t());
+}
+
 template <class Real>
 WideVector3<Real> wide_powers(const std::array<IntegerVector, 3>& powers, double base) {
   const long shift = leading_bits(powers);
@@ -76,14 +90,12 @@ std::pair<MovingPlanes3::ExactPolynomial, double> MovingPlanes3::about_shortest(
   p <<= common - places;
   here <<= common - places_;
   p -= here;
-  const auto scaled = [&](const IntegerVector& a, unsigned times) {
-    IntegerVector b = a;
-    for (Integer* value : {&b.x, &b.y, &b.z}) *value <<= times * common;
-    return b;
-  };
-  return {{{sum(sum(scaled(powers[0], 2), multiple(p, scaled(powers[1], 1))), multiple(p * p, powers[2])),
-            sum(scaled(powers[1], 2), multiple(2 * p, scaled(powers[2], 1))), scaled(powers[2], 2)}},
-          t};
+  std::pair<ExactPolynomial, double> result{{}, t};
+  auto& about_t = result.first.powers;
+  for (Integer IntegerVector::*axis : {&IntegerVector::x, &IntegerVector::y, &IntegerVector::z})
+    set_moved({&(powers[0].*axis), &(powers[1].*axis), &(powers[2].*axis)}, p, common,
+              {&(about_t[0].*axis), &(about_t[1].*axis), &(about_t[2].*axis)});
+  return result;
 }
 
 MovingVector3 MovingPlanes3::fine_normal(PlaneId3 plane, double low, double high) {

@@ -186,6 +186,7 @@ class MovingPlanes3 {
   // Relies on a sign; `value` is the product of direction and normal.
   void rely(const MovingCorner3& corner, PlaneId3 plane, const MovingVector3& normal, BoundedValue value, int sign);
   void rely_closely(const MovingCorner3& corner, PlaneId3 plane, const Quadratic& near, int sign);
+  bool is_point_far(std::uint32_t point, const MovingVector3& normal, BoundedValue value);
   static Quadratic quadratic(const MovingCorner3& corner, const MovingVector3& normal, BoundedValue value);
   // Three planes of which two are lines with an end in common: the determinant is that of a point beside a plane times
   // that of another one, but for its sign.

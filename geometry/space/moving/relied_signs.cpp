@@ -122,9 +122,24 @@ bool MovingPlanes3::rely_if_none_is_positive(std::span<const std::uint32_t> poin
 void MovingPlanes3::rely(std::span<const std::uint32_t> points, PlaneSide3 side) {
   const MovingVector3& m = normal(side.plane);
   for (const std::uint32_t point : points) {
-    const MovingCorner3 corner = corner_at(point, false, side);
-    rely(corner, side.plane, m, dot(corner.direction.first, m.first), sign(point, side.plane, m.first));
+    const BoundedVector& w = toward_[point];
+    const BoundedValue value = dot(w, m.first);
+    if (!keeps_signs_ && is_point_far(point, m, value)) {
+      counts_.count(SignTier::kFilter);
+      continue;
+    }
+    rely(corner_at(point, false, side), side.plane, m, value, sign(point, side.plane, m.first));
   }
+}
+
+// is_far_from_zero() of a point beside a plane.
+inline bool MovingPlanes3::is_point_far(std::uint32_t point, const MovingVector3& m, BoundedValue value) {
+  const BoundedVector& w = toward_[point];
+  const Direction3& move = moves_[point];
+  const double slope = dot(move, plain(m.first)) + dot(plain(w), m.second);
+  const double slope_error =
+      32 * kUnit * (unit_ * drifts_[point].size) * m.terms[0] + 32 * kUnit * (w.size + w.error / kUnit) * m.terms[1];
+  return is_far_from_zero({value.value, slope, 0}, {value.error, slope_error, 0});
 }
 
 // The polynomial of a corner beside a plane, with what it may be off.
@@ -238,13 +253,16 @@ bool MovingPlanes3::narrow(const std::array<double, 3>& c, const std::array<doub
 
 void MovingPlanes3::narrow_exactly(const std::array<Integer, 3>& c, int sign) {
   counts_.count(SignTier::kExact);
-  const Integer c0 = sign * c[0], c1 = sign * c[1], c2 = sign * c[2];
-  const Integer square = c1 * c1 - 4 * c0 * c2;
+  thread_local Integer square, product;
+  mpz_mul(square.get_mpz_t(), c[1].get_mpz_t(), c[1].get_mpz_t());
+  mpz_mul(product.get_mpz_t(), c[0].get_mpz_t(), c[2].get_mpz_t());
+  mpz_mul_2exp(product.get_mpz_t(), product.get_mpz_t(), 2);
+  square -= product;
   if (sgn(square) <= 0) return;
   // Doubles suffice from here: nothing cancels. Exponents are kept apart, for these numbers may be long.
   long e0, e1, e2, e3;
-  const double d0 = mpz_get_d_2exp(&e0, c0.get_mpz_t()), d1 = mpz_get_d_2exp(&e1, c1.get_mpz_t()),
-               d2 = mpz_get_d_2exp(&e2, c2.get_mpz_t());
+  const double d0 = sign * mpz_get_d_2exp(&e0, c[0].get_mpz_t()), d1 = sign * mpz_get_d_2exp(&e1, c[1].get_mpz_t()),
+               d2 = sign * mpz_get_d_2exp(&e2, c[2].get_mpz_t());
   double d3 = mpz_get_d_2exp(&e3, square.get_mpz_t());
   if (e3 % 2 != 0) {
     d3 *= 2;

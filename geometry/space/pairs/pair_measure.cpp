@@ -47,7 +47,7 @@ constexpr double kWorthwhile = 1.2;
 constexpr int kMostCuts = 12, kCutsWhereItFails = 3;
 
 // What is asked of a pair before it is known what is between, and then of each surface between, where these are many.
-constexpr int kFirstQuestions = 12, kQuestionsABody = 20;
+constexpr int kFirstQuestions = 3, kQuestionsABody = 20;
 constexpr std::size_t kManyBetween = 5;
 
 // What a pair costs, about, with so many surfaces between: measured exponents are from 1.6 (plates, slats) to 3 (boxes,
@@ -577,6 +577,7 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
     return result;
   }
   const UnobstructedMeasure3 alone = measure_alone(i, j, tolerance, Effort3::kUsual);
+  if (alone.has_converged) result.alone = alone.measure;
   const long shift = blockers.vertices().shift();
   const MomentOrigin3 origin(setting.bodies, request.origin_shift, shift);
   EdgeSum3 sum(setting.bodies, origin, shift);

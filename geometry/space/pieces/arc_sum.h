@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "geometry/space/pieces/arc_angle.h"
 #include "geometry/space/vectors/local_vector.h"
 #include "geometry/space/visibility/direction.h"
 
@@ -54,6 +55,19 @@ Real angle_over_sine_less_one(const Real& q) {
   return factors[0] * q * sum;
 }
 
+// As arc_angle() has it.
+template <class Real>
+Real angle_of_arc(const Real& sine, const Real& cosine, int turn) {
+  if constexpr (std::is_same_v<Real, double>) {
+    return arc_angle(sine, cosine, turn);
+  } else {
+    using std::atan2;
+    if (!(cosine < 0 && turn != 0)) return atan2(sine, cosine);
+    const Real angle = atan2(Real(turn * sine), cosine);
+    return turn * (angle < 0 ? Real(angle + 2 * pi_of<Real>()) : angle);
+  }
+}
+
 }  // namespace detail
 
 // An arc between unit vectors on a plane with some normal.
@@ -75,7 +89,6 @@ struct ArcShape3 {
 template <class Real, class NormalOf>
 ArcVector3<Real> sum_of_arcs(const std::vector<SeenArc3>& arcs, const std::vector<ArcVector3<Real>>& at,
                              const NormalOf& normal_of, double* rounding) {
-  using std::atan2;
   double spread = 0;
   for (const ArcVector3<Real>& corner : at) {
     const ArcVector3<Real> apart = corner - at.front();
@@ -93,11 +106,7 @@ ArcVector3<Real> sum_of_arcs(const std::vector<SeenArc3>& arcs, const std::vecto
   } else {
     for (const SeenArc3& arc : arcs) {
       const ArcShape3<Real> shape(normal_of(arc.plane), at[arc.begin], at[arc.end]);
-      Real angle = atan2(shape.sine, shape.cosine);
-      if (shape.cosine < 0 && arc.turn != 0) {  // the sine may have been lost, sign and all
-        angle = atan2(Real(arc.turn * shape.sine), shape.cosine);
-        angle = arc.turn * (angle < 0 ? Real(angle + 2 * pi_of<Real>()) : angle);
-      }
+      const Real angle = detail::angle_of_arc<Real>(shape.sine, shape.cosine, arc.turn);
       sum = sum + Real(arc.count * angle / 2) * shape.normal;
     }
   }

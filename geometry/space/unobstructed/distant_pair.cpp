@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "geometry/space/unobstructed/distance_sum.h"
 #include "geometry/space/unobstructed/local_outline.h"
 #include "kernel/legendre_rule.h"
 
@@ -121,7 +122,10 @@ class Part {
 // values, and the square of the distance is at least (1 - a/A)^2 times that of y from the middle.
 double coordinate_error(int n, double most) {
   const double a = most * (n - 1) / (n + 1), rho = a + std::sqrt(a * a - 1), r = 1 / (rho * rho);
-  return 32.0 / 15 * a * a / std::pow(1 - a / most, 4) * std::pow(r, n) / (1 - r);
+  const double nearest = (1 - a / most) * (1 - a / most);
+  double last = 1;  // r^n
+  for (int k = 0; k < n; ++k) last *= r;
+  return 32.0 / 15 * a * a / (nearest * nearest) * last / (1 - r);
 }
 
 // Nodes for a coordinate with A = most; 0 where too many would be needed.
@@ -160,32 +164,11 @@ std::optional<Approximation<double>> measure_of_distant(const LocalPair3& pair, 
   CompensatedSum<double> sum;
   double sum_outer = 0, sum_inner = 0;
   for (const Node& node : inner) sum_inner += node.weight;
-  // Coordinates by themselves, so that several terms are divided at once.
-  std::array<std::vector<double>, 4> columns;
-  for (std::vector<double>& column : columns) column.reserve(inner.size());
-  for (const Node& node : inner) {
-    columns[0].push_back(node.at.x);
-    columns[1].push_back(node.at.y);
-    columns[2].push_back(node.at.z);
-    columns[3].push_back(node.weight);
-  }
-  const double *const at_x = columns[0].data(), *const at_y = columns[1].data(), *const at_z = columns[2].data(),
-                      *const weight = columns[3].data();
+  WeightedPoints3 points;
+  points.reserve(inner.size());
+  for (const Node& node : inner) points.add(node.at, node.weight);
   for (const Node& x : outer) {
-    const auto term = [&](std::size_t k) {
-      const double r2 = square(x.at - Vector{at_x[k], at_y[k], at_z[k]});
-      return weight[k] / (r2 * r2);
-    };
-    double row_0 = 0, row_1 = 0, row_2 = 0, row_3 = 0;
-    std::size_t k = 0;
-    for (; k + 4 <= inner.size(); k += 4) {
-      row_0 += term(k);
-      row_1 += term(k + 1);
-      row_2 += term(k + 2);
-      row_3 += term(k + 3);
-    }
-    for (; k < inner.size(); ++k) row_0 += term(k);
-    sum.add(x.weight * ((row_0 + row_1) + (row_2 + row_3)));
+    sum.add(x.weight * sum_over_fourth_powers(x.at, points));
     sum_outer += x.weight;
   }
   const double value = sum.value() / pi, power = distance * distance * distance * distance;

@@ -52,6 +52,7 @@ struct PairMeasure3 {
   bool is_whole = false, is_undecided = false;
   double measure = 0, error = 0;
   Enclosure bounds{0, 0};
+  double alone = 0;  // S0, within what is allowed, where it was told on the way; else 0
   double residual = 0, residual_bound = 0;
   std::string problem;
   // How the number came about.

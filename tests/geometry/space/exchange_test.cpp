@@ -305,6 +305,72 @@ TEST(Exchange3, WhatAGroupHidesOfItselfIsNotMissedInItsVisibility) {
   EXPECT_NEAR(entry_of(foreign, "plates", "other").visibility, 0.5, 1e-8);
 }
 
+// What remains of a scene where all but two groups are taken away.
+Scene3 with_groups_alone(const Scene3& scene, std::uint32_t a, std::uint32_t b) {
+  Scene3 result = scene;
+  result.polygons.clear();
+  result.surfaces.clear();
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    if (scene.surfaces[s].group != a && scene.surfaces[s].group != b) continue;
+    result.polygons.push_back(scene.polygons[s]);
+    result.surfaces.push_back(scene.surfaces[s]);
+  }
+  return result;
+}
+
+// A box whose fronts look out, as a group.
+std::string box_of_group(const std::string& group, const std::array<int, 3>& low, const std::array<int, 3>& high) {
+  const int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  std::string text;
+  for (int f = 0; f < 6; ++f) {
+    text += ", {\"name\": \"" + group + std::to_string(f) + "\", \"group\": \"" + group +
+            "\", \"material\": \"m\", \"points\": [";
+    for (int c = 0; c < 4; ++c) {
+      const auto place = [&](int axis) {
+        const auto k = static_cast<std::size_t>(axis);
+        return std::to_string((faces[f][c] >> axis & 1) != 0 ? high[k] : low[k]);
+      };
+      text += (c == 0 ? "[" : ", [") + place(0) + ", " + place(1) + ", " + place(2) + "]";
+    }
+    text += "]}";
+  }
+  return text;
+}
+
+// Over a floor two low boxes beside each other, then a high one, then a low one, and one above the high one. None
+// touches another one: what is covered would be free without it.
+Scene3 groups_of_boxes() {
+  return parse_scene_3(
+      R"({"hottel": 1, "dimension": 3, "materials": {"m": {}}, "polygons": [
+  {"name": "floor", "group": "ground", "points": [[0,0,0],[12,0,0],[12,5,0],[0,5,0]], "material": "m"})" +
+          box_of_group("a", {1, 1, 1}, {2, 2, 2}) + box_of_group("b", {1, 3, 1}, {2, 4, 2}) +
+          box_of_group("c", {4, 0, 1}, {5, 3, 3}) + box_of_group("d", {8, 1, 1}, {9, 2, 2}) +
+          box_of_group("e", {4, 1, 4}, {5, 2, 5}) + "]}",
+      "boxes.json");
+}
+
+TEST(Exchange3, TheVisibilityOfGroupsIsWhatTheyExchangeThereByThatAlone) {
+  const ExchangeRequest request{.granularity = Granularity::kGroup, .wants_measures = true};
+  const Scene3 scene = groups_of_boxes();
+  const ExchangeMatrix there = exact_exchange(prepare(Scene3(scene)), request);
+  const auto group_of = [&](std::uint32_t label) { return scene.surfaces[there.elements()[label].surface].group; };
+  std::map<bool, int> counts;  // by whether nothing else hides anything
+  for (std::uint32_t i = 0; i < there.size(); ++i)
+    for (std::size_t k = 0; k < there.row(i).size(); ++k) {
+      const FactorEntry entry = there.row(i)[k];
+      if (entry.to == there.sky() || entry.to < i) continue;
+      const Scene3 two = with_groups_alone(scene, group_of(i), group_of(entry.to));
+      const double alone =
+          entry_of(exact_exchange(prepare(Scene3(two)), request), there.name(i), there.name(entry.to)).factor.value;
+      EXPECT_NEAR(entry.factor.value, entry.visibility * alone, 1e-8) << there.name(i) << ' ' << there.name(entry.to);
+      EXPECT_EQ(entry.visibility == 1, std::fabs(entry.factor.value - alone) < 1e-8)
+          << there.name(i) << ' ' << there.name(entry.to);
+      ++counts[entry.visibility == 1];
+    }
+  EXPECT_GE(counts[true], 4);
+  EXPECT_GE(counts[false], 4);
+}
+
 TEST(Exchange3, AGroupThatSeesItselfCountsBothDirections) {
   // The six walls of a cube as one group: all that leaves them arrives at them.
   Scene3 scene = scene_file("cube.json").scene;
