@@ -56,7 +56,8 @@ struct AnimateOptions {
   ElementOptions elements;
   PolygonOptions polygons;
   StoreOption store;
-  std::string method = "exact", grid, tone = "log", shading = "flat";
+  std::string method = "exact", grid, shading = "flat";
+  std::optional<std::string> tone;  // nothing: that of the dimension
   double exposure = 1;
   std::uint32_t size = 0;
   std::optional<std::string> tolerance;
@@ -75,10 +76,12 @@ Rational rate_of(const AnimateOptions& options) {
 struct Plane {
   using Simulation = Simulation2;
   using Painter = FilmPainter2;
+  static constexpr Tone kTone = kUsualTone2;
 
   static std::string text_of(const Scene2& scene) { return write_scene_2(scene); }
   static Painter painter(const AnimateOptions& options) {
-    return Painter({.tone = tone_asked(options.tone), .exposure = options.exposure, .wanted_width = options.size});
+    return Painter(
+        {.tone = tone_asked(options.tone, kTone), .exposure = options.exposure, .wanted_width = options.size});
   }
   static Simulation simulation(const AnimateOptions& options, Scene2 scene, std::shared_ptr<FactorStore> store) {
     if (options.tolerance)
@@ -98,10 +101,11 @@ struct Plane {
 struct Space {
   using Simulation = Simulation3;
   using Painter = FilmPainter3;
+  static constexpr Tone kTone = kUsualTone3;
 
   static std::string text_of(const Scene3& scene) { return write_scene_3(scene); }
   static Painter painter(const AnimateOptions& options) {
-    return Painter({.tone = tone_asked(options.tone),
+    return Painter({.tone = tone_asked(options.tone, kTone),
                     .exposure = options.exposure,
                     .wanted_width = options.size,
                     .shading = *shading_of(options.shading)});
@@ -124,9 +128,9 @@ struct Space {
 };
 
 // What frames are of: where it is the same, those that are there are not made again.
-std::string key_of(const AnimateOptions& options, const std::string& scene, double tolerance) {
+std::string key_of(const AnimateOptions& options, Tone tone, const std::string& scene, double tolerance) {
   return sha256(fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", kVersion, rate_of(options).get_str(),
-                            options.levels.everywhere, options.levels.at_borders, options.grid, options.tone,
+                            options.levels.everywhere, options.levels.at_borders, options.grid, to_string(tone),
                             shortest(options.exposure), options.size, options.shading, shortest(tolerance),
                             options.method, scene) +
                 (options.guarantee.must_be_enclosed() ? "\nenclosed" : ""));
@@ -234,7 +238,8 @@ void animate_scene(const AnimateOptions& options, AnyScene scene, Streams& strea
     streams.note("no light of " + scene.file + " turns or follows a path: all frames are alike");
   require_lights_beside_surfaces(scene, frames, per_second);
   FramesMade made;
-  made.key = key_of(options, Dimension::text_of(scene), tolerance_of(options.tolerance, 1e-9));
+  made.key = key_of(options, tone_asked(options.tone, Dimension::kTone), Dimension::text_of(scene),
+                    tolerance_of(options.tolerance, 1e-9));
   const std::filesystem::path directory = output_folder(options.out, options.scene);
   const OutputFolder folder(directory);
   if (FramesMade before = read_frames(directory); before.key == made.key) made = std::move(before);
@@ -344,9 +349,11 @@ void add_animate(Commands& commands) {
   options->store.add_to(command);
   command.add_option("--grid", options->grid, "in the plane: cells of the illumination over the scene's region")
       ->type_name("NXxNY");
-  command.add_option("--tone", options->tone, "linear, reinhard, log or max, fitted to the light at the time 0")
-      ->type_name("TONE")
-      ->capture_default_str();
+  command
+      .add_option("--tone", options->tone,
+                  "linear, reinhard, log or max, fitted to the light at the time 0; without it log in the plane, "
+                  "reinhard in space")
+      ->type_name("TONE");
   command.add_option("--exposure", options->exposure, "multiply the light by E before the tone curve")
       ->type_name("E")
       ->check(positive_number())
@@ -357,8 +364,9 @@ void add_animate(Commands& commands) {
   command
       .add_option("--shading", options->shading,
                   "in space: flat: each element has its value; smooth: values are blended over flat surfaces; "
-                  "parents: the same, the finest elements by the mean of each four (--levels, --light-levels)")
-      ->check(CLI::IsMember({"flat", "smooth", "parents"}))
+                  "parents: the same, the finest elements by the mean of each four (--levels, --light-levels); "
+                  "gathered: each point has what arrives there, by exact visibility")
+      ->check(CLI::IsMember({"flat", "smooth", "parents", "gathered"}))
       ->capture_default_str();
   command
       .add_option("--tolerance", options->tolerance,

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "cli/command.h"
+#include "cli/grid_exr.h"
 #include "cli/machine_speed.h"
 #include "cli/methods.h"
 #include "cli/room_for_elements.h"
@@ -14,6 +15,7 @@
 #include "cli/views.h"
 #include "io/files/output_file.h"
 #include "io/foreign/plane/foreign_matrix.h"
+#include "io/results/exr.h"
 #include "io/results/npy.h"
 #include "io/results/plane/check_report.h"
 #include "io/results/plane/light_region.h"
@@ -42,7 +44,7 @@ struct Request {
 };
 
 IlluminationPicture2 light_picture(const SolveOptions& options) {
-  return {.tone = *tone_of(options.tone),
+  return {.tone = tone_asked(options.tone, kUsualTone2),
           .exposure = options.exposure,
           .wanted_width = options.size,
           .has_axes = options.axes,
@@ -74,7 +76,8 @@ Request request_of(const SolveOptions& options) {
   asked.everything = options.simulate == "everything";
   asked.light = *light_kind_2(options.illumination);
   asked.memory = options.memory.value_or(0);
-  tone_asked(options.tone);
+  tone_asked(options.tone, kUsualTone2);
+  if (options.exr) require_exr("--exr");
   if (options.memory && options.method != "exact")
     throw UsageError("--memory is kept to by the method exact only, not by " + options.method);
   if (options.no_illumination && asked.everything)
@@ -94,6 +97,7 @@ Request request_of(const SolveOptions& options) {
 struct Outputs {
   SolveFiles files;
   OutputFile *npy = nullptr, *sidecar = nullptr, *shown_npy = nullptr, *shown_sidecar = nullptr;
+  OutputFile *exr = nullptr, *shown_exr = nullptr;
   OutputFile *png = nullptr, *render = nullptr;
   std::optional<ViewsOutput> views;
 
@@ -102,10 +106,12 @@ struct Outputs {
     if (request.simulation.wants_light) {
       npy = &files.add("illumination.npy");
       sidecar = &files.add("illumination.npy.json");
+      if (options.exr) exr = &files.add("illumination.exr");
     }
     if (request.shows_cells) {
       shown_npy = &files.add("shown.npy");
       shown_sidecar = &files.add("shown.npy.json");
+      if (options.exr) shown_exr = &files.add("shown.exr");
     }
     if (request.wants_picture) png = &files.add("illumination.png");
     if (!options.render.empty()) render = &files.add_elsewhere(options.render);
@@ -148,7 +154,7 @@ ShownCells2 cells_of(const Shown& shown, const Simulation2& simulation, const Re
                      const Streams& streams) {
   const std::vector<OrientedLight> lights =
       lights_around_cells(*simulation.prepared(), results.light->grid, streams.progress("light on the grid"));
-  return {results.light->grid.grid, shown_at_points(shown, lights, results.solution->channel_names, "W/m")};
+  return {results.light->grid.grid, shown_at_points(shown, lights, results.solution->channel_names)};
 }
 
 // Asks stage by stage, so that each is told of as it is there.
@@ -163,7 +169,7 @@ Results results_of(const Simulation2& simulation, const Request& request, Stream
   if (request.simulation.wants_light) results.light = simulation.light(progress);
   if (request.wants_picture && request.shown.is_light()) results.picture = simulation.picture(progress);
   if (request.wants_picture && !request.shown.is_light())
-    results.shown = shown_values(request.shown, simulation.scene(), results.factors->matrix, *results.solution, "W/m");
+    results.shown = shown_values(request.shown, simulation.scene(), results.factors->matrix, *results.solution);
   if (request.shows_cells) results.cells = cells_of(request.shown, simulation, results, streams);
   if (results.shown && results.cells) share_scale(request.shown, *results.shown, results.cells->values);
   return results;
@@ -189,8 +195,15 @@ std::string picture_of(const SolveOptions& options, const Simulation2& simulatio
 
 std::optional<PictureLight> picture_light_of(const SolveOptions& options, const Results& results) {
   if (!results.picture) return std::nullopt;
-  return PictureLight{results.picture->scale, options.tone, options.exposure,
+  return PictureLight{results.picture->scale, to_string(tone_asked(options.tone, kUsualTone2)), options.exposure,
                       light_contours_2(results.light->grid, options.contours)};
+}
+
+std::string light_exr(const SolveOptions& options, const IlluminationGrid2& light, const RadiositySolution& solution) {
+  const bool is_formula = options.illumination == "inverse-square";
+  return grid_exr({light.grid.nx, light.grid.ny, solution.channel_names, light.values,
+                   is_formula ? "W/m³" : kRadiosityUnit,
+                   illumination_sidecar(region_of(light.grid), solution.channel_names, options.illumination)});
 }
 
 void write_results(const SolveOptions& options, const Simulation2& simulation, const Results& results,
@@ -201,17 +214,24 @@ void write_results(const SolveOptions& options, const Simulation2& simulation, c
     const std::size_t shape[3] = {light.grid.ny, light.grid.nx, light.channels};
     write_npy(shape, light.values, [&outputs](std::string_view bytes) { outputs.npy->write(bytes); });
     outputs.sidecar->write(illumination_sidecar(region_of(light.grid), solution.channel_names, options.illumination));
+    if (outputs.exr) outputs.exr->write(light_exr(options, light, solution));
   }
   if (outputs.shown_npy) {
     const ShownValues& values = results.cells->values;
     const std::size_t shape[2] = {results.cells->grid.ny, results.cells->grid.nx};
     write_npy(shape, values.numbers(), [&outputs](std::string_view bytes) { outputs.shown_npy->write(bytes); });
-    outputs.shown_sidecar->write(shown_sidecar(region_of(results.cells->grid), values.name, values.unit));
+    const std::string about = shown_sidecar(region_of(results.cells->grid), values.name, values.unit);
+    outputs.shown_sidecar->write(about);
+    if (outputs.shown_exr)
+      outputs.shown_exr->write(grid_exr({shape[1], shape[0], {values.name}, values.numbers(), values.unit, about}));
   }
   if (outputs.png)
     outputs.png->write(results.picture ? results.picture->bytes
                                        : picture_of(options, simulation, results, PictureFormat::kPng));
-  if (outputs.render) outputs.render->write(picture_of(options, simulation, results, *picture_format(options.render)));
+  if (outputs.render)
+    outputs.render->write(is_exr(options.render)
+                              ? light_exr(options, results.light->grid, solution)
+                              : picture_of(options, simulation, results, *picture_format(options.render)));
   if (outputs.views)
     write_views_2(*simulation.prepared(), simulation.grid(),
                   {simulation.scene(), results.factors->matrix, simulation.granularity(), {}, {}},
@@ -227,6 +247,10 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
   require_shown(request.shown, scene);
   if (options.outlines || options.no_outlines)
     throw UsageError("--outlines and --no-outlines are for scenes in space: in the plane walls are lines");
+  if (options.shading == "gathered") throw UsageError("--shading gathered is for scenes in space");
+  if (!options.texels.empty()) throw UsageError("--texels is for scenes in space");
+  if (renders_array(options))
+    throw UsageError("--render writes numbers of scenes in space: in the plane they are in illumination.npy");
   if (request.shown.is_light() && options.shading != "flat")
     throw UsageError("--shading in the plane is of the values of --show: light between the faces has no elements");
   if (!request.shown.is_light() && options.size > 0 && options.size < kMinPictureWidth)
@@ -306,9 +330,11 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
                   "closed form with a proven bound; inverse-square: the source formula")
       ->check(CLI::IsMember({"point", "average", "inverse-square"}))
       ->capture_default_str();
-  command.add_option("--tone", options.tone, "linear, reinhard, log or max (the largest value is 1)")
-      ->type_name("TONE")
-      ->capture_default_str();
+  command
+      .add_option(
+          "--tone", options.tone,
+          "linear, reinhard, log or max (the largest value is 1); without it log in the plane, reinhard in space")
+      ->type_name("TONE");
   command.add_option("--exposure", options.exposure, "multiply the light by E before the tone curve")
       ->type_name("E")
       ->check(positive_number())
@@ -359,13 +385,19 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
           "--shading", options.shading,
           "flat: each element has its value; smooth: values are blended over flat surfaces, in the plane along "
           "faces (of --show); parents: the same, the finest elements by the mean of each four, in the plane of each "
-          "two (--levels, --light-levels)")
-      ->check(CLI::IsMember({"flat", "smooth", "parents"}))
+          "two (--levels, --light-levels); gathered: in space each point has what arrives there, by exact visibility")
+      ->check(CLI::IsMember({"flat", "smooth", "parents", "gathered"}))
       ->capture_default_str();
   command
       .add_option("--render", options.render,
-                  "the picture as this file too: .png, .svg or .pdf (in space polygons, sharp at any size)")
+                  "the picture as this file too: .png, .svg or .pdf (in space polygons, sharp at any size), .exr (linear "
+                  "light as floats, in the plane a pixel a cell), or in space .npy: the light of its pixels as numbers")
       ->type_name("FILE");
+  command
+      .add_option("--texels", options.texels,
+                  "in space: texels.npy and texels.png, the gathered light of a face at the middles of NX by NY "
+                  "parts, or what --show has")
+      ->type_name("NAME=NXxNY");
   for (const char* of_picture : {"--size", "--tone", "--exposure", "--contours", "--axes", "--show", "--channel",
                                  "--bar", "--shading", "--render", "--outlines", "--no-outlines"})
     no_picture->excludes(command.get_option(of_picture));
@@ -376,7 +408,9 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
                   "write what the cells see: a matrix whose product with the radiosities is the light, columns "
                   "named in FILE.mtx.faces.csv")
       ->type_name("FILE.mtx");
-  for (const char* of_light : {"--grid", "--illumination", "--views"})
+  command.add_flag("--exr", options.exr,
+                   "light on a grid as illumination.exr too, what --show has there as shown.exr: 32-bit floats");
+  for (const char* of_light : {"--grid", "--illumination", "--views", "--exr"})
     no_illumination->excludes(command.get_option(of_light));
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -11,12 +12,17 @@
 #include <utility>
 #include <vector>
 
+#include "cli/grid_exr.h"
 #include "cli/machine_speed.h"
 #include "cli/room_for_elements.h"
 #include "cli/solve_files.h"
 #include "cli/unit_notes.h"
+#include "cli/views.h"
+#include "geometry/name.h"
+#include "geometry/scene_names.h"
 #include "io/files/output_file.h"
 #include "io/foreign/space/foreign_matrix.h"
+#include "io/results/exr.h"
 #include "io/results/npy.h"
 #include "io/results/solve_report.h"
 #include "io/results/space/check_report.h"
@@ -24,6 +30,7 @@
 #include "io/results/space/light_region.h"
 #include "io/results/space/radiosity_vtu.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/memory.h"
 #include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/plan_speed.h"
@@ -31,11 +38,24 @@
 #include "solver/space/light/oriented_lights.h"
 #include "solver/space/simulation/refined.h"
 #include "solver/store_plan.h"
+#include "viewer/picture/space/gathered_source.h"
+#include "viewer/picture/space/gathered_view.h"
 #include "viewer/picture/space/grid_picture.h"
 #include "viewer/picture/space/render_picture.h"
+#include "viewer/picture/space/texels.h"
 
 namespace hottel {
 namespace {
+
+// What is asked of the cells of a grid.
+void require_grid(const SolveOptions& options, const Scene3& scene) {
+  if (options.exr) require_exr("--exr");
+  if (!options.views.empty()) require_sense_of_views(options.views, options.illumination);
+  if (scene.grid) return;
+  if (options.exr) throw UsageError("--exr is of light on a grid, and " + options.scene + " has none");
+  if (!options.views.empty())
+    throw UsageError("--views is what the cells of a grid see, and " + options.scene + " has none");
+}
 
 void require_what_space_has(const SolveOptions& options) {
   const auto refuse = [](const std::string& option) { throw UsageError(option + " is only for scenes in the plane"); };
@@ -45,14 +65,16 @@ void require_what_space_has(const SolveOptions& options) {
     options.guarantee.refuse_of_method(options.method);
   }
   if (options.illumination != usual.illumination) refuse("--illumination");
-  if (options.views != usual.views) refuse("--views");
   if (options.contours > 0) refuse("--contours");
+  if (options.shading == "gathered" && !options.render.empty() && !renders_numbers(options) &&
+      picture_format(options.render) != PictureFormat::kPng)
+    throw UsageError("gathered light is of pixels: --render writes it as .png, not '" + options.render + "'");
   if (options.no_outlines && options.show == usual.show)
     throw UsageError("--no-outlines goes with --show of something else than light, which has none");
 }
 
 GridPicture3 grid_picture_of(const SolveOptions& options, const Scene3& scene) {
-  return {.tone = *tone_of(options.tone),
+  return {.tone = tone_asked(options.tone, kUsualTone3),
           .exposure = options.exposure,
           .wanted_width = options.size,
           .has_axes = options.axes,
@@ -62,11 +84,13 @@ GridPicture3 grid_picture_of(const SolveOptions& options, const Scene3& scene) {
 // The files of light on the scene's grid, and of what --show has of it.
 struct GridFiles {
   OutputFile &npy, &sidecar;
-  OutputFile *shown_npy = nullptr, *shown_sidecar = nullptr, *png = nullptr;
+  OutputFile *shown_npy = nullptr, *shown_sidecar = nullptr, *png = nullptr, *exr = nullptr, *shown_exr = nullptr;
 
   GridFiles(const SolveOptions& options, const Shown& shown, SolveFiles& files)
       : npy(files.add("illumination.npy")), sidecar(files.add("illumination.npy.json")) {
+    if (options.exr) exr = &files.add("illumination.exr");
     if (is_of_points(shown)) {
+      if (options.exr) shown_exr = &files.add("shown.exr");
       shown_npy = &files.add("shown.npy");
       shown_sidecar = &files.add("shown.npy.json");
     }
@@ -81,7 +105,9 @@ struct GridFiles {
     const std::size_t shape[3] = {light->grid.nv, light->grid.nu, light->channels};
     write_npy(shape, light->values, [this](std::string_view bytes) { npy.write(bytes); });
     const auto channels = simulation.radiosities()->channel_names;
-    sidecar.write(illumination_sidecar(region_of(light->grid), channels));
+    const std::string about = illumination_sidecar(region_of(light->grid), channels);
+    sidecar.write(about);
+    if (exr) exr->write(grid_exr({shape[1], shape[0], channels, light->values, kRadiosityUnit, about}));
     if (shown_npy) return write_shown(simulation, shown, how, streams, seconds);
     if (!png) return;
     const auto picture = simulation.picture(streams.stages());
@@ -99,33 +125,128 @@ struct GridFiles {
     const std::vector<OrientedLight> lights =
         oriented_lights_on_grid(*simulation.prepared(), simulation.request().factors.granularity, *solution, grid,
                                 streams.progress("light on the grid"));
-    const ShownValues values = shown_at_points(shown, lights, solution->channel_names, "W/m²");
+    const ShownValues values = shown_at_points(shown, lights, solution->channel_names);
     seconds["illumination"] += watch.lap();
     const std::size_t shape[2] = {grid.nv, grid.nu};
     write_npy(shape, values.numbers(), [this](std::string_view bytes) { shown_npy->write(bytes); });
-    shown_sidecar->write(hottel::shown_sidecar(region_of(grid), values.name, values.unit));
+    const std::string about = hottel::shown_sidecar(region_of(grid), values.name, values.unit);
+    shown_sidecar->write(about);
+    if (shown_exr)
+      shown_exr->write(grid_exr({shape[1], shape[0], {values.name}, values.numbers(), values.unit, about}));
     if (!png) return;
     png->write(grid_picture_3(grid, values, how));
     seconds["picture"] += watch.lap();
   }
 };
 
+// The name of a face and its texels.
+struct TexelChoice {
+  Face face;
+  std::string name;
+  Grid3 grid;
+};
+
+// Throws before any work what makes no sense, and where there is no room.
+std::optional<TexelChoice> texels_of(const SolveOptions& options, const Scene3& scene) {
+  if (options.texels.empty()) return std::nullopt;
+  const auto end = options.texels.rfind('=');
+  if (end == std::string::npos)
+    throw UsageError("--texels takes NAME=NXxNY, a face and how many it has, not '" + options.texels + "'");
+  TexelChoice choice{{}, options.texels.substr(0, end), {}};
+  const auto [nu, nv] = two_numbers("--texels", "NAME=NXxNY", options.texels.substr(end + 1), kMaxGridCells3);
+  choice.face = face_of(scene, choice.name);
+  if (!scene.surfaces[choice.face.surface].material_of(choice.face.is_back))
+    throw UsageError("--texels: " + quoted_name(choice.name) + " has no material, and no light");
+  choice.grid = texel_grid_3(scene, choice.face, nu, nv);
+  const std::uint64_t bytes =
+      std::uint64_t{nu} * nv * static_cast<std::uint64_t>(channel_count(scene)) * sizeof(double);
+  if (const std::uint64_t allowed = memory_allowed(options.memory.value_or(0)); bytes > allowed)
+    throw RequestError(
+        fmt::format("{} x {} texels take {} bytes of memory; allowed are {}; take fewer", nu, nv, bytes, allowed));
+  return choice;
+}
+
+// The files of light on texels.
+struct TexelFiles {
+  TexelChoice choice;
+  OutputFile &npy, &sidecar;
+  OutputFile* png = nullptr;
+
+  TexelFiles(const SolveOptions& options, TexelChoice asked, SolveFiles& files)
+      : choice(std::move(asked)), npy(files.add("texels.npy")), sidecar(files.add("texels.npy.json")) {
+    if (!options.no_picture) png = &files.add("texels.png");
+  }
+
+  void write(const Simulation3& simulation, const Shown& shown, const GridPicture3& how, const Streams& streams) {
+    const auto solution = simulation.radiosities();
+    const GatheredSource3 source(*simulation.prepared(), simulation.request().factors.granularity, *solution, shown,
+                                 *simulation.light_shares());
+    const IlluminationGrid3 light =
+        texels_3(*simulation.prepared(), source, choice.face, choice.grid, streams.progress("light of texels"));
+    std::vector<std::size_t> shape{choice.grid.nv, choice.grid.nu};
+    if (shown.is_light()) shape.push_back(light.channels);
+    write_npy(shape, light.values, [this](std::string_view bytes) { npy.write(bytes); });
+    if (shown.is_light()) {
+      std::vector<std::string> channels = solution->channel_names;
+      channels.resize(light.channels);
+      sidecar.write(texel_sidecar(region_of(choice.grid), choice.name, channels));
+      if (png) png->write(grid_picture_3(light, how));
+      return;
+    }
+    ShownValues values = shown_values(shown, simulation.scene(), simulation.factors()->matrix, *solution);
+    sidecar.write(shown_sidecar(region_of(choice.grid), values.name, values.unit));
+    values.elements.clear();
+    for (const double value : light.values)
+      values.elements.push_back(std::isnan(value) ? std::nullopt : std::optional(value));
+    if (png) png->write(grid_picture_3(choice.grid, values, how));
+  }
+};
+
+// The light of pixels as numbers, and what they are.
+struct PixelFiles {
+  OutputFile &npy, &sidecar;
+
+  PixelFiles(const SolveOptions& options, SolveFiles& files)
+      : npy(files.add_elsewhere(options.render)), sidecar(files.add_elsewhere(options.render + ".json")) {}
+
+  void write(const PixelValues3& pixels, std::vector<std::string> channels) {
+    const std::size_t shape[3] = {pixels.height, pixels.width, pixels.channels};
+    write_npy(shape, pixels.values, [this](std::string_view bytes) { npy.write(bytes); });
+    channels.resize(pixels.channels);
+    sidecar.write(pixel_sidecar(pixels.height, pixels.width, channels));
+  }
+};
+
 // What a camera sees of what is asked for.
 std::unique_ptr<const RenderedView3> view_of(const SolveOptions& options, const Shown& shown,
-                                             const Simulation3& simulation) {
+                                             const Simulation3& simulation, const Streams& streams) {
   const auto factors = simulation.factors();
   const auto solution = simulation.radiosities();
-  RenderOptions3 asked{.tone = *tone_of(options.tone),
+  RenderOptions3 asked{.tone = tone_asked(options.tone, kUsualTone3),
                        .exposure = options.exposure,
                        .wanted_width = options.size,
                        .shading = *shading_of(options.shading),
                        .has_outlines = options.outlines || (!shown.is_light() && !options.no_outlines),
-                       .has_axes = options.axes};
-  if (!shown.is_light()) asked.shown = shown_values(shown, simulation.scene(), factors->matrix, *solution, "W/m²");
+                       .has_axes = options.axes,
+                       .asked = shown,
+                       .light_shares = simulation.light_shares(),
+                       .is_for_numbers = renders_numbers(options),
+                       .progress = streams.progress("gathered light")};
+  if (!shown.is_light()) asked.shown = shown_values(shown, simulation.scene(), factors->matrix, *solution);
   return naming_file(options.scene, [&] {
     return std::make_unique<const RenderedView3>(*simulation.prepared(), simulation.request().factors.granularity,
                                                  *solution, std::move(asked));
   });
+}
+
+// What the camera sees, before any tone curve.
+std::string linear_picture(const RenderedView3& view, const std::vector<std::string>& channels) {
+  const PixelValues3& pixels = view.pixels();
+  return exr_file({.width = pixels.width,
+                   .height = pixels.height,
+                   .channels = channels,
+                   .values = pixels.values,
+                   .attributes = {{"unit", kRadiosityUnit}}});
 }
 
 PictureView picture_view_of(const RenderedView3& view, const Scene3& scene) {
@@ -156,9 +277,12 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) 
 
 void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to_read, Streams& streams) {
   require_what_space_has(options);
+  require_grid(options, scene);
   const Shown shown = shown_of(options);
+  if (options.shading == "gathered" || !options.texels.empty()) require_gathered_3(shown);
   const bool wants_picture = !options.no_picture && (!options.no_illumination || !shown.is_light());
   require_shown(shown, scene);
+  const std::optional<TexelChoice> texel_choice = texels_of(options, scene);
   options.elements.apply_to(scene);
   require_room_for_solving(scene, options.memory, options.levels);
   const SimulationRequest3 request = request_of(options, scene);
@@ -177,8 +301,18 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
                            directory);
     grid.emplace(options, shown, files);
   }
+  std::optional<ViewsOutput> views;
+  if (!options.views.empty()) {
+    views.emplace(options.views);
+    files.add(views->mtx);
+    files.add(views->faces);
+  }
+  std::optional<TexelFiles> texels;
+  if (texel_choice) texels.emplace(options, *texel_choice, files);
   OutputFile* const png = wants_picture ? &files.add("render.png") : nullptr;
-  OutputFile* const render = options.render.empty() ? nullptr : &files.add_elsewhere(options.render);
+  std::optional<PixelFiles> numbers;
+  if (renders_array(options)) numbers.emplace(options, files);
+  OutputFile* const render = options.render.empty() || numbers ? nullptr : &files.add_elsewhere(options.render);
   const auto factors = simulation.factors(streams.stages());
   const Findings3 lost_light = lost_light_warnings(simulation.scene(), factors->matrix);
   if (!lost_light.empty()) streams.note(findings_text(simulation.scene(), lost_light));
@@ -199,12 +333,24 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   seconds["read"] = seconds_to_read;
   seconds["write"] = watch.lap();
   if (grid) grid->write(simulation, shown, grid_picture_of(options, simulation.scene()), streams, seconds);
+  if (views)
+    write_views_3(*simulation.prepared(), *simulation.grid(),
+                  {simulation.scene(), factors->matrix, request.factors.granularity, {}, {}},
+                  options.memory.value_or(0), streams, *views);
   watch.lap();
+  if (texels) {
+    texels->write(simulation, shown, grid_picture_of(options, simulation.scene()), streams);
+    seconds["texels"] = watch.lap();
+  }
   std::unique_ptr<const RenderedView3> view;
   if (png) {
-    view = view_of(options, shown, simulation);
+    view = view_of(options, shown, simulation, streams);
     png->write(view->file(PictureFormat::kPng));
-    if (render) render->write(view->file(*picture_format(options.render)));
+    if (numbers)
+      numbers->write(view->pixels(), solution->channel_names);
+    else if (render)
+      render->write(is_exr(options.render) ? linear_picture(*view, solution->channel_names)
+                                           : view->file(*picture_format(options.render)));
     seconds["picture"] += watch.lap();
   }
   const SolveReport report{
@@ -215,7 +361,8 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
       .fluxes = &fluxes,
       .seconds = seconds,
       .picture_light = view && !view->shown()
-                           ? std::optional(PictureLight{view->scale(), options.tone, options.exposure})
+                           ? std::optional(PictureLight{view->scale(), to_string(tone_asked(options.tone, kUsualTone3)),
+                                                        options.exposure})
                            : std::nullopt,
       .picture_range = view ? range_of(view->shown()) : std::nullopt,
       .picture_view = view ? std::optional(picture_view_of(*view, simulation.scene())) : std::nullopt,
@@ -225,7 +372,10 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
       .store = options.store.report(request.factors.store),
       .dividing = dividing.get(),
       .warnings = with_unit_note(simulation.scene(), finding_notes(lost_light))};
-  files.finish(options, report, solved, render != nullptr ? "\nthe picture: " + options.render : "", streams);
+  files.finish(options, report, solved,
+               (views ? "\nwhat the cells see: " + options.views : "") +
+                   (render != nullptr || numbers ? "\nthe picture: " + options.render : ""),
+               streams);
 }
 
 }  // namespace hottel

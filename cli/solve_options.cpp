@@ -8,6 +8,7 @@
 
 #include "geometry/near_names.h"
 #include "io/files/disk_space.h"
+#include "io/results/exr.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
 #include "viewer/picture/picture_options.h"
@@ -34,30 +35,47 @@ LightTest light_test_of(const SolveOptions& options, const SceneTable& scene) {
   return *light_test(options.lights);
 }
 
+bool renders_array(const SolveOptions& options) { return options.render.ends_with(".npy"); }
+
+bool renders_numbers(const SolveOptions& options) { return renders_array(options) || is_exr(options.render); }
+
 std::optional<PictureRange> range_of(const std::optional<ShownValues>& shown) {
   if (!shown) return std::nullopt;
   return PictureRange{shown->name, shown->unit, shown->least, shown->greatest, shown->scale.lower, shown->scale.upper};
 }
 
-Tone tone_asked(const std::string& name) {
-  const auto tone = tone_of(name);
+Tone tone_asked(const std::optional<std::string>& name, Tone usual) {
+  if (!name) return usual;
+  const auto tone = tone_of(*name);
   if (!tone)
-    throw UnknownName("there is no tone curve called '" + name + "': linear, reinhard, log, max", name,
+    throw UnknownName("there is no tone curve called '" + *name + "': linear, reinhard, log, max", *name,
                       std::vector<std::string>{"linear", "reinhard", "log", "max"});
   return *tone;
 }
+
+namespace {
+
+void require_render(const SolveOptions& options, const Shown& shown) {
+  if (options.render.empty() || picture_format(options.render)) return;
+  if (!renders_numbers(options))
+    throw UsageError("a picture is written as .png, .svg, .pdf, .exr or .npy, not '" + options.render + "'");
+  if (is_exr(options.render)) require_exr("--render " + options.render);
+  if (!shown.is_light())
+    throw UsageError("--render " + options.render + " is linear light: it goes with --show light");
+}
+
+}  // namespace
 
 Shown shown_of(const SolveOptions& options) {
   Shown shown = shown_by(options.show);
   if (!options.bar.empty()) shown.scale = scale_by(options.bar);
   if (!options.channel.empty()) choose_channel(shown, options.channel);
   const SolveOptions usual;
-  if (!shown.is_light() && (options.tone != usual.tone || options.exposure != usual.exposure))
+  if (!shown.is_light() && (options.tone || options.exposure != usual.exposure))
     throw UsageError("--tone and --exposure are of --show light: " + options.show + " has a scale");
   if (!shown.is_light() && options.contours > 0)
     throw UsageError("--contours are of --show light: " + options.show + " is on the faces alone");
-  if (!options.render.empty() && !picture_format(options.render))
-    throw UsageError("a picture is written as .png, .svg or .pdf, not '" + options.render + "'");
+  require_render(options, shown);
   return shown;
 }
 

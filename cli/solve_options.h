@@ -27,14 +27,15 @@ struct SolveOptions {
   std::optional<int> iterations;
   std::optional<double> until;
   std::string lights = "exact";
-  std::string grid, illumination = "point", tone = "log", views;
+  std::string grid, illumination = "point", views;
+  std::optional<std::string> tone;  // nothing: that of the dimension
   double exposure = 1;
   std::uint32_t size = 0;
-  std::string show = "light", channel, bar, shading = "flat", render;
+  std::string show = "light", channel, bar, shading = "flat", render, texels;
   int contours = 0;
   bool axes = false;
   bool outlines = false, no_outlines = false;
-  bool no_picture = false, no_illumination = false;
+  bool no_picture = false, no_illumination = false, exr = false;
   std::optional<std::string> tolerance;  // in space
   GuaranteeOption guarantee;
   std::optional<std::uint64_t> memory;
@@ -54,8 +55,8 @@ Solver solver_of(const SolveOptions& options, bool has_symmetric_rows);
 // How the scene's lights fall on elements. Throws UsageError where it is asked of a scene that has none.
 LightTest light_test_of(const SolveOptions& options, const SceneTable& scene);
 
-// The tone curve of an option --tone. Throws UnknownName for a name that none has.
-Tone tone_asked(const std::string& name);
+// The tone curve of an option --tone, or the usual one. Throws UnknownName for a name that none has.
+Tone tone_asked(const std::optional<std::string>& name, Tone usual);
 
 // Throws RequestError where light on so many cells needs more memory or disk than there is. advice: what to do about
 // it, besides --no-illumination.
@@ -66,6 +67,11 @@ void require_room_for_light(const SolveOptions& options, const std::array<std::u
 // options of light (--tone, --exposure, --contours) where something else is shown; and, for --render, unless its file
 // is a picture.
 Shown shown_of(const SolveOptions& options);
+
+// Whether --render asks for an array of the light of pixels; and for their light as an array or an OpenEXR file, before
+// any tone curve.
+bool renders_array(const SolveOptions& options);
+bool renders_numbers(const SolveOptions& options);
 
 // The range of what is shown, for a report; nothing of nothing.
 std::optional<PictureRange> range_of(const std::optional<ShownValues>& shown);

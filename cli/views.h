@@ -6,6 +6,7 @@
 
 #include "cli/streams.h"
 #include "geometry/plane/prepared/prepared_scene.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "io/files/output_file.h"
 #include "io/results/factor_files.h"
 
@@ -25,6 +26,8 @@ void require_sense_of_views(const std::string& file, const std::string& illumina
 // scene's file, where there is not room enough in memory or on disk.
 // REQUIRES factors of the scene, whose elements are the columns.
 void write_views_2(const PreparedScene2& prepared, const Grid2& grid, const FactorTable& factors, std::uint64_t memory,
+                   const Streams& streams, ViewsOutput& output);
+void write_views_3(const PreparedScene3& prepared, const Grid3& grid, const FactorTable& factors, std::uint64_t memory,
                    const Streams& streams, ViewsOutput& output);
 
 }  // namespace hottel

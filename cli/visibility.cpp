@@ -8,6 +8,7 @@
 #include "cli/command.h"
 #include "cli/guarantee_option.h"
 #include "cli/oriented_points.h"
+#include "cli/points_in_space.h"
 #include "cli/scene_input.h"
 #include "cli/scene_lines.h"
 #include "cli/unit_notes.h"
@@ -21,6 +22,7 @@
 #include "io/files/text_file.h"
 #include "io/foreign/oriented_points.h"
 #include "io/foreign/plane/point_list.h"
+#include "io/foreign/space/point_list.h"
 #include "io/results/plane/edge_report.h"
 #include "io/results/plane/polygon_files.h"
 #include "io/results/plane/visibility_report.h"
@@ -224,11 +226,29 @@ ExitCode light_at_points(const VisibilityOptions& options, OrientedPointsInput i
   return ExitCode::kDone;
 }
 
+// Points in space: which faces each sees.
+ExitCode faces_at_points(const VisibilityOptions& options, const std::string& text, const std::string& name,
+                         Streams& streams) {
+  for (const auto& [is_given, option] : {std::pair(!options.range.empty(), "--range"),
+                                         {options.exact, "--exact"},
+                                         {options.irradiance, "--irradiance"},
+                                         {options.side != VisibilityOptions().side, "--side"}})
+    if (is_given) throw UsageError(std::string(option) + " is of points in the plane; these have three coordinates");
+  const std::vector<Point3> points = read_points_3(text, name);
+  const Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  const auto* const space = std::get_if<Scene3>(&scene);
+  if (space == nullptr)
+    throw InputError({name, 0}, "points have three coordinates, and " + options.scene + " is in the plane");
+  write_seen_faces(points, *space, options.out, streams);
+  return ExitCode::kDone;
+}
+
 ExitCode from_points(const VisibilityOptions& options, Streams& streams) {
   const bool is_standard_input = options.points == kStandardInput;
   const std::string name = is_standard_input ? kStandardInputName : options.points;
   const std::string text = is_standard_input ? read_standard_input() : read_text_file(options.points);
   if (names_normals(text)) return light_at_points(options, {text, name, options.scene, options.out}, streams);
+  if (are_points_3(text)) return faces_at_points(options, text, name, streams);
   if (options.polygons.triangulates)
     throw UsageError("--triangulate cuts polygons in space; points without normals are of the plane");
   const PolygonRequest request = polygon_request(options, text, name);
@@ -374,6 +394,7 @@ void add_visibility(Commands& commands) {
        "hottel visibility scenes/showcase/apartment.json --at 4,3 -o /tmp/seen.png",
        "echo 4,3 | hottel visibility scenes/showcase/apartment.json --points - --range 5 -o /tmp/seen.geojson",
        "printf 'x,y,z,nx,ny,nz\\n1,1,1.5,0,0,1\\n' | hottel visibility scenes/space/two_boxes.json --points -",
+       "printf '1,1,1.5\\n2,2,3\\n' | hottel visibility scenes/space/two_boxes.json --points -",
        "hottel visibility scenes/space/two_boxes.json --at 1,1,1 -o /tmp/map.png",
        "hottel visibility scenes/space/two_boxes.json --from lamp --to floor",
        "hottel visibility scenes/analytic/strip_obstructed.json --edge bottom",
@@ -397,7 +418,8 @@ void add_visibility(Commands& commands) {
   options->polygons.add_to(command);
   CLI::Option* points = command.add_option(
       "--points", options->points,
-      "points, one visibility polygon each: csv of lines x,y, GeoJSON or well-known text; - is standard input. Of a "
+      "points, one visibility polygon each: csv of lines x,y, GeoJSON or well-known text; - is standard input. In "
+      "space lines x,y,z: the faces that each sees, with their solid angles, as csv. Of a "
       "csv "
       "with normals (first line x,y,nx,ny, in space x,y,z,nx,ny,nz) the irradiance, sky view factor and mean radiant "
       "temperature at each, as csv");

@@ -32,7 +32,7 @@ struct Light {
   Rational focus = 180;     // f, the half angle of the beam in degrees, 0 < f <= 180
   Rational falloff = 0;     // n >= 0
   Spectrum power;           // P >= 0 [W; in the plane W per metre of depth]; of a sun the irradiance of what faces it,
-                            // E >= 0 [W/m²; in the plane W/m]
+                            // E >= 0 [W/m²]
   bool is_thermal = false;  // where there are two bands: of the thermal one
   int line = 0;             // where it stands in the file, 0 if nowhere
 

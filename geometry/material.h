@@ -26,7 +26,7 @@ struct Spectrum {
 // Where a scene has two bands, spectra are of them: channel 0 is solar, channel 1 thermal; channel 2 is as channel 1.
 inline constexpr std::size_t kSolarBand = 0, kThermalBand = 1;
 
-// A diffuse material: 0 <= reflectivity <= 1 in every channel, emission >= 0 [W/m in 2D, W/m² in 3D], of any sign where
+// A diffuse material: 0 <= reflectivity <= 1 in every channel, emission >= 0 [W/m²], of any sign where
 // a net flux is given. validate_table() checks these ranges. Emissivity e and temperature T are read as reflectivity 1
 // - e and emission e sigma T⁴, exactly.
 //

@@ -95,4 +95,28 @@ std::string shown_sidecar(const PlanarRegion& region, const std::string& quantit
   return sidecar_of_values(region, quantity, unit);
 }
 
+std::string texel_sidecar(const PlanarRegion& region, const std::string& face,
+                          const std::vector<std::string>& channels) {
+  Json sidecar;
+  sidecar["quantity"] = "radiosity";
+  sidecar["unit"] = "W/m²";
+  sidecar["face"] = face;
+  add_shape(region, sidecar);
+  sidecar["shape"].push_back(channels.size());
+  sidecar["axes"].push_back("channel");
+  sidecar["channels"] = channels;
+  return sidecar.dump(2) + "\n";
+}
+
+std::string pixel_sidecar(std::size_t height, std::size_t width, const std::vector<std::string>& channels) {
+  Json sidecar;
+  sidecar["quantity"] = "radiosity";
+  sidecar["unit"] = "W/m²";
+  sidecar["shape"] = {height, width, channels.size()};
+  sidecar["order"] = "C";
+  sidecar["axes"] = {"y", "x", "channel"};
+  sidecar["channels"] = channels;
+  return sidecar.dump(2) + "\n";
+}
+
 }  // namespace hottel

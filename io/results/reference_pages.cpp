@@ -38,7 +38,7 @@ which units numbers are, and each file's checksum. There is one folder a scene:
 | `illumination.npy.json` | its shape, axes, region and channels |
 
 Units: L is the unit of coordinates of the scene, A that of areas, W that of radiosities; `units` in `reference.json` names
-all three. A is m (plane, a length) or m² (space), W is W/m (plane: watts per metre of depth, per metre of edge) or W/m² (space); where the unit of
+all three. A is m (plane, a length) or m² (space), W is W/m² (plane: watts per metre of depth and per metre of edge); where the unit of
 length has a name that hottel does not know, A is in that unit.
 
 | file | column | unit | meaning |

@@ -51,9 +51,9 @@ nlohmann::ordered_json manifest_entry(const SceneReference& scene) {
   return json;
 }
 
-ReferenceUnits units_of(const SceneTable& scene, const char* area, const char* radiosity) {
+ReferenceUnits units_of(const SceneTable& scene, const char* area) {
   const std::string length = length_unit(scene);
-  return {length, (has_known_unit(scene) ? "m" : length) + area, radiosity};
+  return {length, (has_known_unit(scene) ? "m" : length) + area, kRadiosityUnit};
 }
 
 void add_light(const std::string& folder, const ReferenceLight& light, SceneReference& scene) {
@@ -77,8 +77,8 @@ void add_counts(const SolvedScene& solved, SceneReference& scene) {
 
 }  // namespace
 
-ReferenceUnits reference_units_2(const SceneTable& scene) { return units_of(scene, "", "W/m"); }
-ReferenceUnits reference_units_3(const SceneTable& scene) { return units_of(scene, "²", "W/m²"); }
+ReferenceUnits reference_units_2(const SceneTable& scene) { return units_of(scene, ""); }
+ReferenceUnits reference_units_3(const SceneTable& scene) { return units_of(scene, "²"); }
 
 SceneReference scene_reference(const std::string& name, ReferenceUnits units, std::string text,
                                const SolvedScene& solved) {

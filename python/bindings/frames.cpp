@@ -137,13 +137,14 @@ std::unique_ptr<std::variant<Film2, Film3>> film_of(const PythonSimulation& aske
 }
 
 std::shared_ptr<PythonFrames> frames(const PythonSimulation& simulation, std::int64_t count, const py::object& fps,
-                                     const std::string& tone, double exposure, std::int64_t size,
+                                     const std::optional<std::string>& tone, double exposure, std::int64_t size,
                                      const std::string& shading, const py::object& cells) {
   if (count < 1 || static_cast<std::uint64_t>(count) > kMostFrames)
     throw UsageError("frames are a number from 1 to " + std::to_string(kMostFrames));
   const Rational per_second = rational_of(fps, false, "fps");
   if (per_second <= 0) throw UsageError("fps is a number above 0");
-  const FrameLook look{tone_named(tone), shading_named(shading), exposure, width_of_picture(size)};
+  const FrameLook look{tone_named(tone, simulation.is_plane()), shading_named(shading), exposure,
+                       width_of_picture(size)};
   require_exposure(exposure);
   if (simulation.is_plane() && look.shading != Shading::kFlat) throw UsageError("shading is for scenes in space");
   if (!simulation.is_plane() && !cells.is_none())
@@ -177,7 +178,7 @@ void add_frames(py::module_& module) {
 }
 
 void add_frames_questions(py::class_<PythonSimulation>& type) {
-  type.def("frames", &frames, py::arg("count"), py::arg("fps") = 24, py::kw_only(), py::arg("tone") = "log",
+  type.def("frames", &frames, py::arg("count"), py::arg("fps") = 24, py::kw_only(), py::arg("tone") = py::none(),
            py::arg("exposure") = 1.0, py::arg("size") = 0, py::arg("shading") = "flat", py::arg("cells") = py::none(),
            "Returns an iterator over frames in which lights turn and follow their paths, Frames: frame k is the light\n"
            "k / fps seconds on, the frame of `hottel animate`. What frames share is computed once.\n\n"

@@ -6,6 +6,7 @@
 #include "kernel/support/failure.h"
 #include "python/bindings/bindings.h"
 #include "solver/plane/light/oriented_lights.h"
+#include "solver/radiosity/radiosity_solution.h"
 #include "solver/space/light/oriented_lights.h"
 
 namespace hottel::python {
@@ -29,7 +30,7 @@ FoundLight found(const Simulation2& simulation, const std::optional<Shown>& show
     return result;
   }
   const auto lights = lights_around_cells(*simulation.prepared(), light->grid, telling("light on the grid", progress));
-  result.shown = shown_at_points(*shown, lights, solution->channel_names, radiosity_unit(true));
+  result.shown = shown_at_points(*shown, lights, solution->channel_names);
   return result;
 }
 
@@ -42,7 +43,7 @@ FoundLight found(const Simulation3& simulation, const std::optional<Shown>& show
   }
   const auto lights = oriented_lights_on_grid(*simulation.prepared(), simulation.request().factors.granularity,
                                               *solution, *simulation.grid(), telling("light on the grid", progress));
-  result.shown = shown_at_points(*shown, lights, solution->channel_names, radiosity_unit(false));
+  result.shown = shown_at_points(*shown, lights, solution->channel_names);
   return result;
 }
 
@@ -78,8 +79,8 @@ std::vector<double> centres_of(const Grid3& grid) {
   return result;
 }
 
-const char* unit_of_light(bool is_plane, const std::string& illumination) {
-  return illumination == "inverse-square" ? "W/m³" : radiosity_unit(is_plane);
+const char* unit_of_light(const std::string& illumination) {
+  return illumination == "inverse-square" ? "W/m³" : kRadiosityUnit;
 }
 
 }  // namespace
@@ -115,7 +116,7 @@ PythonGrid light_on_grid(const PythonSimulation& simulation, const GridKeywords&
   grid.values = frozen(std::move(light.values), {rows, columns, channels});
   grid.channels = std::move(light.channels);
   grid.name = "mean irradiance";
-  grid.unit = unit_of_light(simulation.is_plane(), keywords.illumination);
+  grid.unit = unit_of_light(keywords.illumination);
   return grid;
 }
 
@@ -134,7 +135,7 @@ void add_grid(py::module_& module) {
           "channels", [](const PythonGrid& grid) { return tuple_of(grid.channels); },
           "What values have a column each for, a tuple of str; none of what was asked for by `show`.")
       .def_readonly("name", &PythonGrid::name, "What it is, a str: 'mean irradiance', 'sky view factor', ...")
-      .def_readonly("unit", &PythonGrid::unit, "The unit of values, a str: 'W/m', 'W/m²', 'K', '1'.")
+      .def_readonly("unit", &PythonGrid::unit, "The unit of values, a str: 'W/m²', 'K', '1'.")
       .def_readonly("max_error", &PythonGrid::max_error,
                     "With illumination='average' a proven bound of the error of every value, a float; else None.")
       .def("__repr__", [](const PythonGrid& grid) {

@@ -177,9 +177,9 @@ void add_grid_class(py::module_& module) {
   add_by_channel(type, "missing", &GridErrors::missing, "Cells of which only the exact light has one, shape (c,).");
   add_by_channel(type, "extra", &GridErrors::extra, "Cells of which only the other has one, shape (c,).");
   add_by_channel(type, "off", &GridErrors::off, "Cells that are wrong by more than was allowed, shape (c,).");
-  add_by_channel(type, "max_error", &GridErrors::max, "The largest error, float64 of shape (c,), [W/m] or [W/m2].");
-  add_by_channel(type, "rms_error", &GridErrors::rms, "The root mean square, shape (c,), [W/m] or [W/m2].");
-  add_by_channel(type, "largest", &GridErrors::largest, "The largest exact value, shape (c,), [W/m] or [W/m2].");
+  add_by_channel(type, "max_error", &GridErrors::max, "The largest error, float64 of shape (c,), [W/m2].");
+  add_by_channel(type, "rms_error", &GridErrors::rms, "The root mean square, shape (c,), [W/m2].");
+  add_by_channel(type, "largest", &GridErrors::largest, "The largest exact value, shape (c,), [W/m2].");
   type.def_readonly(
           "reading", &PythonGridJudgement::reading,
           "How a grid reads that is off, a str: 'upside down', 'times 2 pi'; empty where nothing explains it.")

@@ -28,7 +28,4 @@ std::shared_ptr<const AnySimulation> gridded(const PythonSimulation& simulation,
 Shown shown_of(const SceneTable& scene, const std::string& show, const std::optional<std::string>& channel,
                const std::optional<std::string>& bar);
 
-// The unit of radiosities.
-inline const char* radiosity_unit(bool is_plane) { return is_plane ? "W/m" : "W/m²"; }
-
 }  // namespace hottel::python

@@ -54,10 +54,10 @@ void add_oriented_light(py::module_& module) {
       module, "OrientedLight",
       "The light on small areas at n points, as from Simulation.light_on. NaN in solids, and outside closed scenes.")
       .def_readonly("irradiance", &PythonOrientedLight::irradiance,
-                    "What arrives on the front of each area, float64 of shape (n, c) by channel, [W/m] in the plane,\n"
-                    "[W/m2] in space. Read only.")
+                    "What arrives on the front of each area, float64 of shape (n, c) by channel, [W/m2].\n"
+                    "Read only.")
       .def_readonly("mean_irradiance", &PythonOrientedLight::mean_irradiance,
-                    "The mean over all directions, shape (n, c), [W/m] or [W/m2]: that of Simulation.light. Read only.")
+                    "The mean over all directions, shape (n, c), [W/m2]: that of Simulation.light. Read only.")
       .def_readonly("sky_view_factor", &PythonOrientedLight::sky_view_factor,
                     "View factors from the areas to the sky, float64 of shape (n,). Read only.")
       .def_readonly("mean_radiant_temperature", &PythonOrientedLight::mean_radiant_temperature,

@@ -8,10 +8,11 @@
 
 namespace hottel::python {
 
-Tone tone_named(const std::string& name) {
-  const auto tone = tone_of(name);
+Tone tone_named(const std::optional<std::string>& name, bool is_plane) {
+  if (!name) return is_plane ? kUsualTone2 : kUsualTone3;
+  const auto tone = tone_of(*name);
   if (!tone)
-    throw UnknownName("tone is one of 'linear', 'reinhard', 'log', 'max', not '" + name + "'", name,
+    throw UnknownName("tone is one of 'linear', 'reinhard', 'log', 'max', not '" + *name + "'", *name,
                       std::vector<std::string>{"linear", "reinhard", "log", "max"});
   return *tone;
 }
@@ -19,8 +20,8 @@ Tone tone_named(const std::string& name) {
 Shading shading_named(const std::string& name) {
   const auto shading = shading_of(name);
   if (!shading)
-    throw UnknownName("shading is one of 'flat', 'smooth', 'parents', not '" + name + "'", name,
-                      std::vector<std::string>{"flat", "smooth", "parents"});
+    throw UnknownName("shading is one of 'flat', 'smooth', 'parents', 'gathered', not '" + name + "'", name,
+                      std::vector<std::string>{"flat", "smooth", "parents", "gathered"});
   return *shading;
 }
 

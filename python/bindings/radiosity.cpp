@@ -214,15 +214,15 @@ void add_column(py::class_<Table>& type, const char* name, const char* doc) {
 void add_radiosity(py::module_& module) {
   auto radiosity = add_table<PythonRadiosity>(
       module, "Radiosity",
-      "Radiosities of the faces or elements that have a material, [W/m] in the plane, [W/m2] in space. Arrays are\n"
+      "Radiosities of the faces or elements that have a material, [W/m2]. Arrays are\n"
       "float64 of shape (n, c). radiosity['wall'] is a dict of the arrays of one row; UsageError where there is none.");
-  add_column(radiosity, "radiosity", "Radiosities, shape (n, c), [W/m] or [W/m2]. Read only.");
+  add_column(radiosity, "radiosity", "Radiosities, shape (n, c), [W/m2]. Read only.");
   add_column(radiosity, "lower", "Lower bounds of `radiosity`, shape (n, c); see `guarantee`. Read only.");
   add_column(radiosity, "upper", "Upper bounds of `radiosity`, shape (n, c); see `guarantee`. Read only.");
-  add_column(radiosity, "emission", "What faces send out by themselves, shape (n, c), [W/m] or [W/m2]. Read only.");
+  add_column(radiosity, "emission", "What faces send out by themselves, shape (n, c), [W/m2]. Read only.");
   add_column(radiosity, "reflectivity", "Reflectivities, shape (n, c), from 0 to 1. Read only.");
-  add_column(radiosity, "irradiance", "What arrives, shape (n, c), [W/m] or [W/m2]. Read only.");
-  add_column(radiosity, "net", "radiosity - irradiance, shape (n, c), [W/m] or [W/m2]. Read only.");
+  add_column(radiosity, "irradiance", "What arrives, shape (n, c), [W/m2]. Read only.");
+  add_column(radiosity, "net", "radiosity - irradiance, shape (n, c), [W/m2]. Read only.");
   radiosity.def_property_readonly(
       "notes", [](const PythonRadiosity& table) { return tuple_of(table.notes); },
       "What the program tells of the solution, a tuple of str: parts that no light reaches, solvers that stopped.");

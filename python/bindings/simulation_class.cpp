@@ -106,7 +106,7 @@ void add_questions(py::class_<PythonSimulation>& type) {
           "str, '-2 + 1*sqrt(5)', in units of the scene. UsageError for names that there are not, and in space.")
       .def(
           "light", &PythonSimulation::light, py::arg("points"), py::kw_only(), py::arg("binary") = false,
-          "Returns the mean irradiance at n points, float64 of shape (n, c) by channel, [W/m] in the plane, [W/m2] in\n"
+          "Returns the mean irradiance at n points, float64 of shape (n, c) by channel, [W/m2], in the plane and in\n"
           "space; NaN in solids. Read only.\n\n"
           "points: array-like of shape (n, 2) or (n, 3), in units of the scene; a float is its shortest decimal, with\n"
           "binary=True the double that it is. Throws TypeError, InputError for points that are none.")

@@ -14,6 +14,7 @@
 #include "solver/space/light/oriented_lights.h"
 #include "viewer/picture/plane/illumination_picture.h"
 #include "viewer/picture/plane/shown_picture.h"
+#include "viewer/picture/space/gathered_view.h"
 #include "viewer/picture/space/grid_picture.h"
 #include "viewer/picture/space/render_picture.h"
 
@@ -22,8 +23,8 @@ namespace {
 
 // What is asked of a picture, by names of options of the program.
 struct PictureKeywords {
-  std::string show = "light", tone = "log", shading = "flat", of = "scene";
-  std::optional<std::string> channel, bar;
+  std::string show = "light", shading = "flat", of = "scene";
+  std::optional<std::string> tone, channel, bar;
   double exposure = 1;
   std::int64_t size = 0;
   int contours = 0;
@@ -49,6 +50,7 @@ struct PictureRequest {
 void require_sense_in_plane(const PictureKeywords& asked, const PictureRequest& request) {
   if (asked.outlines) throw UsageError("outlines are of scenes in space: in the plane walls are lines");
   if (asked.of != "scene") throw UsageError("of is of scenes in space: in the plane light has a picture of its grid");
+  if (request.shading == Shading::kGathered) throw UsageError("shading='gathered' is for scenes in space");
   if (request.shown.is_light() && request.shading != Shading::kFlat)
     throw UsageError("shading in the plane is of values of faces: light between the faces has no elements");
   if (!request.shown.is_light() && request.width > 0 && request.width < kMinPictureWidth)
@@ -70,7 +72,7 @@ void require_sense_in_space(const PictureKeywords& asked, const PictureRequest& 
 
 PictureRequest request_of(const PythonScene& scene, const PictureKeywords& asked) {
   PictureRequest request{.shown = shown_of(scene.table(), asked.show, asked.channel, asked.bar),
-                         .tone = tone_named(asked.tone),
+                         .tone = tone_named(asked.tone, scene.is_plane()),
                          .shading = shading_named(asked.shading),
                          .exposure = asked.exposure,
                          .width = width_of_picture(asked.size),
@@ -80,7 +82,7 @@ PictureRequest request_of(const PythonScene& scene, const PictureKeywords& asked
                          .is_of_grid = asked.of == "grid"};
   require_exposure(request.exposure);
   if (asked.contours < 0 || asked.contours > 100) throw UsageError("contours are a number from 0 to 100");
-  if (!request.shown.is_light() && (request.tone != Tone::kLog || request.exposure != 1 || asked.contours > 0))
+  if (!request.shown.is_light() && (asked.tone || request.exposure != 1 || asked.contours > 0))
     throw UsageError("tone, exposure and contours are of show='light': '" + asked.show + "' has a scale");
   if (scene.is_plane())
     require_sense_in_plane(asked, request);
@@ -107,14 +109,12 @@ PythonPicture::Draw drawing(const Simulation2& simulation, const PictureRequest&
       return illumination_picture_2(*prepared, light->grid, picture, format).bytes;
     };
   }
-  ShownValues values =
-      shown_values(request.shown, simulation.scene(), factors->matrix, *solution, radiosity_unit(true));
+  ShownValues values = shown_values(request.shown, simulation.scene(), factors->matrix, *solution);
   std::optional<ShownCells2> cells;
   if (request.shows_cells) {
     const auto light = simulation.light(progress);
     const auto around = lights_around_cells(*prepared, light->grid, telling("light on the grid", progress));
-    cells = ShownCells2{light->grid.grid,
-                        shown_at_points(request.shown, around, solution->channel_names, radiosity_unit(true))};
+    cells = ShownCells2{light->grid.grid, shown_at_points(request.shown, around, solution->channel_names)};
     share_scale(request.shown, values, cells->values);
   }
   const ShownPlan2 plan{.width = request.width, .has_axes = request.has_axes, .shading = request.shading};
@@ -142,7 +142,7 @@ PythonPicture::Draw drawing_of_grid(const Simulation3& simulation, const Picture
   const auto solution = simulation.radiosities(progress);
   const auto lights = oriented_lights_on_grid(*simulation.prepared(), simulation.request().factors.granularity,
                                               *solution, *simulation.grid(), telling("light on the grid", progress));
-  ShownValues values = shown_at_points(request.shown, lights, solution->channel_names, radiosity_unit(false));
+  ShownValues values = shown_at_points(request.shown, lights, solution->channel_names);
   return [grid = *simulation.grid(), values = std::move(values), picture, only_pixels](PictureFormat format) {
     only_pixels(format);
     return grid_picture_3(grid, values, picture);
@@ -154,14 +154,18 @@ PythonPicture::Draw drawing(const Simulation3& simulation, const PictureRequest&
   const auto factors = simulation.factors(progress);
   const auto solution = simulation.radiosities(progress);
   if (request.is_of_grid) return drawing_of_grid(simulation, request, progress);
+  if (request.shading == Shading::kGathered) require_gathered_3(request.shown);
   RenderOptions3 options{.tone = request.tone,
                          .exposure = request.exposure,
                          .wanted_width = request.width,
                          .shading = request.shading,
                          .has_outlines = request.has_outlines,
-                         .has_axes = request.has_axes};
+                         .has_axes = request.has_axes,
+                         .asked = request.shown,
+                         .light_shares = simulation.light_shares(progress),
+                         .progress = telling("gathered light", progress)};
   if (!request.shown.is_light())
-    options.shown = shown_values(request.shown, simulation.scene(), factors->matrix, *solution, radiosity_unit(false));
+    options.shown = shown_values(request.shown, simulation.scene(), factors->matrix, *solution);
   const auto prepared = simulation.prepared(progress);
   const auto view = std::make_shared<const RenderedView3>(*prepared, simulation.request().factors.granularity,
                                                           *solution, std::move(options));
@@ -170,11 +174,12 @@ PythonPicture::Draw drawing(const Simulation3& simulation, const PictureRequest&
 
 PythonPicture picture(const PythonSimulation& simulation, const std::string& show,
                       const std::optional<std::string>& channel, const std::optional<std::string>& bar,
-                      const std::string& tone, double exposure, std::int64_t size, const std::string& shading,
-                      bool has_axes, std::optional<bool> outlines, int contours, const py::object& cells,
-                      const py::object& over, const std::string& illumination, const std::string& of) {
-  const PictureKeywords asked{show,     tone, shading,  of,       channel,  bar,
-                              exposure, size, contours, has_axes, outlines, {cells, over, illumination}};
+                      const std::optional<std::string>& tone, double exposure, std::int64_t size,
+                      const std::string& shading, bool has_axes, std::optional<bool> outlines, int contours,
+                      const py::object& cells, const py::object& over, const std::string& illumination,
+                      const std::string& of) {
+  const PictureKeywords asked{show,     shading, of,       tone,     channel,  bar,
+                              exposure, size,    contours, has_axes, outlines, {cells, over, illumination}};
   const PictureRequest request = request_of(simulation.scene(), asked);
   const bool has_grid = simulation.is_plane() || request.is_of_grid;
   const auto version = has_grid ? gridded(simulation, asked.grid) : nullptr;
@@ -191,7 +196,7 @@ PythonPicture picture(const PythonSimulation& simulation, const std::string& sho
 void add_picture_questions(py::class_<PythonSimulation>& type) {
   type.def(
       "picture", &picture, py::arg("show") = "light", py::kw_only(), py::arg("channel") = py::none(),
-      py::arg("bar") = py::none(), py::arg("tone") = "log", py::arg("exposure") = 1.0, py::arg("size") = 0,
+      py::arg("bar") = py::none(), py::arg("tone") = py::none(), py::arg("exposure") = 1.0, py::arg("size") = 0,
       py::arg("shading") = "flat", py::arg("axes") = false, py::arg("outlines") = py::none(), py::arg("contours") = 0,
       py::arg("cells") = py::none(), py::arg("over") = py::none(), py::arg("illumination") = "point",
       py::arg("of") = "scene",
@@ -200,9 +205,11 @@ void add_picture_questions(py::class_<PythonSimulation>& type) {
       "a plan; in space what the scene's camera sees, or with of='grid' the scene's grid.\n\n"
       "show: 'light', or on the faces, in colours of a scale, 'radiosity', 'irradiance', 'net', 'temperature', 'sky'\n"
       "(view factor to it), 'factor:NAME'. channel: 'r', 'g', 'b', 'solar' or 'thermal'. bar: ends of the scale,\n"
-      "'LOW:HIGH', 'LOW:HIGH:log'. tone: of light, 'linear', 'reinhard', 'log' or 'max', and what it is multiplied by "
+      "'LOW:HIGH', 'LOW:HIGH:log'. tone: of light, 'linear', 'reinhard', 'log' or 'max' (None: 'log' in the plane,\n"
+      "'reinhard' in space), and what it is multiplied by "
       "before,\n"
-      "exposure. size: pixels across, 0 for the usual. shading: 'flat', 'smooth' or 'parents'. axes: coordinates and a "
+      "exposure. size: pixels across, 0 for the usual. shading: 'flat', 'smooth', 'parents' or, in space, 'gathered'. "
+      "axes: coordinates and a "
       "scale\n"
       "bar. contours: in the plane. outlines: in space, lines where surfaces end, bend or hide others; None: where a "
       "scale is shown. cells, "

@@ -206,7 +206,7 @@ class SceneBuilder:
         return self
 
     def set_sky(self, **keys: Any) -> SceneBuilder:
-        """Says what the sky sends out: emission [W/m, W/m2], or temperature [K]."""
+        """Says what the sky sends out: emission [W/m2], or temperature [K]."""
         return self._set("sky", keys)
 
     def set_grid(self, **keys: Any) -> SceneBuilder:

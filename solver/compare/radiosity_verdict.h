@@ -10,7 +10,7 @@
 
 namespace hottel {
 
-// One radiosity of a file beside the certified one, with its proven bounds. [W/m in the plane, W/m² in space]
+// One radiosity of a file beside the certified one, with its proven bounds. [W/m²]
 struct JudgedRadiosity {
   std::uint32_t element = 0, channel = 0;
   double value = 0, exact = 0, lower = 0, upper = 0;

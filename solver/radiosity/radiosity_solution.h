@@ -12,7 +12,11 @@
 
 namespace hottel {
 
-// One element in one channel. Units: W/m in the plane, W/m² in space.
+// The unit of emissions, radiosities, irradiances and net fluxes of elements; in the plane it is per metre of depth and
+// per metre of edge.
+inline constexpr const char* kRadiosityUnit = "W/m²";
+
+// One element in one channel, in that unit.
 struct ElementRadiosity {
   double emission = 0, reflectivity = 0;  // correctly rounded; of an enclosed emission its middle
   double radiosity = 0;

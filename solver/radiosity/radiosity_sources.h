@@ -25,7 +25,7 @@ struct RationalEnclosure {
 // Which number of an enclosure.
 enum class End { kLower, kMiddle, kUpper };
 
-// What one element sends out or receives in each channel, exactly or within bounds.       [W/m; W/m² in space]
+// What one element sends out or receives in each channel, exactly or within bounds.       [W/m²]
 //
 //   (1) numbers of materials lose nothing: lower = upper is the rational itself
 //   (2) the default is the scalar 0

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -14,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/cli/csv_table.h"
 #include "tests/cli/program.h"
 
 namespace hottel::solve_in_space_test {
@@ -311,6 +313,49 @@ TEST(SolveInSpace, LightOnAPlanarGridIsWrittenAsInThePlane) {
   EXPECT_FALSE(std::filesystem::exists(place.path("none/render.png")));
 }
 
+// The sky's emission is 0 here.
+TEST(SolveInSpace, ViewsTimesRadiositiesIsTheLight) {
+  const Workplace place;
+  std::string scene = contents(scene_file("two_boxes.json"));
+  scene.insert(scene.find('{') + 1,
+               R"("grid": {"origin": ["1/20", "1/20", 1], "u": [5.4, 0, 0], "v": [0, 5.4, 0], "cells": [7, 5]},)");
+  place.write("boxes.json", scene);
+  const Outcome outcome = place.run("hottel solve boxes.json --elements 2 --tolerance 1e-4 -o out --views h.mtx");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::string npy = place.read("out/illumination.npy");
+  std::vector<double> light((npy.size() - 128) / sizeof(double));
+  std::memcpy(light.data(), npy.data() + 128, light.size() * sizeof(double));
+  const auto radiosity = testing_cli::table(place.read("out/radiosity.csv"), 3);
+  const auto faces = testing_cli::table(place.read("h.mtx.faces.csv"), 1);
+  const auto lines = lines_of(place.read("h.mtx"));
+  std::size_t k = 0, rows = 0, columns = 0, count = 0;
+  while (lines.at(k).starts_with("%")) ++k;
+  std::istringstream(lines.at(k++)) >> rows >> columns >> count;
+  EXPECT_EQ(rows, 35u);
+  EXPECT_EQ(columns, faces.size() - 1);
+  ASSERT_EQ(count, lines.size() - k);
+  std::vector<double> product(light.size(), 0), sum(rows, 0);
+  for (; k < lines.size(); ++k) {
+    std::size_t row = 0;
+    std::string column;
+    double fraction = 0;
+    std::istringstream(lines[k]) >> row >> column >> fraction;
+    sum.at(row - 1) += fraction;
+    const std::vector<std::string>& face = faces.at(column);
+    for (std::size_t c = 0; c < 3; ++c)
+      if (const auto found = radiosity.find(face.at(1) + "," + face.at(2) + "," + "rgb"[c]); found != radiosity.end())
+        product[(row - 1) * 3 + c] += fraction * std::stod(found->second.at(6));
+  }
+  for (std::size_t cell = 0; cell < rows; ++cell) {
+    EXPECT_NEAR(sum[cell], 1, 1e-13) << cell;
+    for (std::size_t c = 0; c < 3; ++c)
+      if (!std::isnan(light[3 * cell + c])) {
+        EXPECT_NEAR(product[3 * cell + c], light[3 * cell + c], 1e-12 * (1 + light[3 * cell + c])) << cell;
+      }
+  }
+  EXPECT_LT(std::ranges::count_if(light, [](double value) { return std::isnan(value); }), 20) << "in the boxes";
+}
+
 TEST(SolveInSpace, TheCellsOfTheGridAreAsAskedFor) {
   const Workplace place;
   const std::string plain = contents(scene_file("cube.json"));
@@ -340,7 +385,7 @@ TEST(SolveInSpace, TheCellsOfTheGridAreAsAskedFor) {
 TEST(SolveInSpace, WhatIsOfThePlaneIsRefused) {
   const Workplace place;
   place.write("cube.json", contents(scene_file("cube.json")));
-  for (const char* option : {"--illumination average", "--views views.mtx"}) {
+  for (const char* option : {"--illumination average", "--contours 3"}) {
     const Outcome outcome = place.run(std::string("hottel solve cube.json ") + option);
     EXPECT_EQ(outcome.code, 2) << option;
     EXPECT_THAT(outcome.err, HasSubstr("is only for scenes in the plane")) << option;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -53,7 +54,7 @@ TEST(SolvePictures, ShowTheDoublesOfTheTable) {
   place.write("cube.json", contents(scene_file("space/cube.json")));
   place.write("square.json", contents(scene_file("analytic/square_radiosity.json")));
   for (const auto& [scene, picture, unit] : {std::tuple{"cube.json", "render.png", "W/m²"},
-                                             std::tuple{"square.json --no-illumination", "illumination.png", "W/m"}})
+                                             std::tuple{"square.json --no-illumination", "illumination.png", "W/m²"}})
     for (const auto& [word, index] :
          {std::pair{"radiosity", kRadiosity}, std::pair{"irradiance", kIrradiance}, std::pair{"net", kNet}}) {
       const std::string line = std::string("hottel solve ") + scene + " -o out --elements 2 --show " + word;
@@ -173,7 +174,7 @@ TEST(SolvePictures, WhatIsNotThereIsRefused) {
           std::pair{"--show net --tone linear", "--tone and --exposure are of --show light"},
           std::pair{"--show sky --channel r", "--channel goes with --show radiosity, irradiance or net"},
           std::pair{"--channel r", "--channel goes with"}, std::pair{"--show net --channel r", "has one channel"},
-          std::pair{"--render room.gif", "a picture is written as .png, .svg or .pdf"},
+          std::pair{"--render room.gif", "a picture is written as .png, .svg, .pdf or .exr"},
           std::pair{"--render x.svg --no-picture", "excludes"}}) {
       const Outcome outcome = place.run(std::string("hottel solve ") + scene + " -o out " + options);
       EXPECT_EQ(outcome.code, 2) << scene << ' ' << options << '\n' << outcome.err;
@@ -266,6 +267,36 @@ TEST(SolvePictures, ParentsStandForTheFinestElements) {
   EXPECT_NE(picture("--levels 2 --shading parents"), picture("--levels 2"));
   // Elements that are given have no parents.
   EXPECT_EQ(picture("--elements 3 --shading parents"), picture("--elements 3 --shading smooth"));
+}
+
+TEST(SolvePictures, GatheredOnesHaveTheLightOfPoints) {
+  const Workplace place;
+  place.write("cube.json", contents(scene_file("space/cube.json")));
+  const auto picture = [&](const std::string& options) {
+    EXPECT_EQ(place.run("hottel solve cube.json -o out --size 60 " + options).code, 0);
+    return place.read("out/render.png");
+  };
+  const std::string gathered = picture("--elements 3 --shading gathered --render light.npy");
+  EXPECT_NE(gathered, picture("--elements 3 --shading smooth"));
+  EXPECT_NE(picture("--show irradiance --shading gathered"), picture("--show irradiance"));
+  const auto about = nlohmann::json::parse(place.read("light.npy.json"));
+  EXPECT_EQ(about["shape"], (std::vector<int>{60, 60, 1}));
+  EXPECT_EQ(place.read("light.npy").size(), 128u + 60 * 60 * sizeof(double));
+}
+
+// A texel is the light of its middle: that of the floor's is brighter than that of its corners.
+TEST(SolvePictures, TexelsAreALightmap) {
+  const Workplace place;
+  place.write("cube.json", contents(scene_file("space/cube.json")));
+  ASSERT_EQ(place.run("hottel solve cube.json -o out --texels floor=3x3").code, 0);
+  const std::string bytes = place.read("out/texels.npy");
+  ASSERT_EQ(bytes.size(), 128u + 9 * sizeof(double));
+  std::array<double, 9> light{};
+  std::memcpy(light.data(), bytes.data() + 128, sizeof light);
+  EXPECT_GT(light[4], light[0]);
+  EXPECT_NEAR(light[0], light[8], 1e-9);
+  EXPECT_EQ(place.read("out/texels.png").substr(1, 3), "PNG");
+  EXPECT_EQ(nlohmann::json::parse(place.read("out/texels.npy.json"))["face"], "floor");
 }
 
 TEST(SolvePictures, ValuesRunAlongFacesInThePlane) {

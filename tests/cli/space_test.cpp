@@ -49,6 +49,42 @@ TEST(Space, CommandsOfThePlaneRefuseItWithThreeAndSayWhatWorks) {
   EXPECT_EQ(place.files(), before);
 }
 
+// From the middle of a cube each face has a sixth of all directions; in a corner of nothing but the sky, all.
+TEST(Space, PointsSeeFacesAsLargeAsTheirAnglesAre) {
+  const Workplace place;
+  place.write("room.json", contents(scene_file("cube.json")));
+  place.write("p.csv", "x,y,z\n0.5, 1/2 ,0.5\n0.5,0.5,1/4\n");
+  const Outcome outcome = place.run("hottel visibility room.json --points p.csv");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 13u);
+  EXPECT_EQ(lines[0], "point,x,y,z,face,fraction,solid_angle");
+  double sum = 0;
+  for (std::size_t k = 1; k <= 6; ++k)
+    EXPECT_NEAR(std::stod(lines[k].substr(lines[k].rfind(',') + 1)), 2 * std::numbers::pi / 3, 1e-14) << lines[k];
+  for (std::size_t k = 7; k <= 12; ++k) {
+    EXPECT_THAT(lines[k], StartsWith("1,0.5,0.5,0.25,"));
+    sum += std::stod(lines[k].substr(lines[k].rfind(',') + 1));
+  }
+  EXPECT_NEAR(sum, 4 * std::numbers::pi, 1e-13);
+}
+
+TEST(Space, PointsOfSpaceThatAreWrongAreRefused) {
+  const Workplace place;
+  place.write("room.json", contents(scene_file("cube.json")));
+  place.write("flat.json", contents(std::string(HOTTEL_SOURCE_DIR) + "/scenes/analytic/triangle_345.json"));
+  for (const auto& [line, message] :
+       {std::pair("printf '1,1,1\\n1,1\\n' | hottel visibility room.json --points -", "three coordinates x,y,z, not 2"),
+        {"echo 1,1,a | hottel visibility room.json --points -", "is no number"},
+        {"echo x,y,z | hottel visibility room.json --points -", "there is no point in it"},
+        {"echo 1,1,1 | hottel visibility flat.json --points -", "flat.json is in the plane"}}) {
+    const Outcome outcome = place.run(line);
+    EXPECT_EQ(outcome.code, 3) << line;
+    EXPECT_THAT(outcome.err, HasSubstr(message)) << line;
+    EXPECT_EQ(outcome.out, "") << line;
+  }
+}
+
 // The fractions of the faces and the sky that the text tells.
 std::vector<double> fractions(const std::string& text) {
   std::vector<double> result;

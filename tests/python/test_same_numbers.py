@@ -194,6 +194,9 @@ def test_what_grids_show_is_that_of_the_program(show, tmp_path):
     ("scenes/analytic/square_radiosity.json", "factor:top", {}),
     ("scenes/space/two_boxes.json", "radiosity", {"channel": "b", "shading": "smooth"}),
     ("scenes/space/cube.json", "irradiance", {"axes": True}),
+    ("scenes/space/cube.json", "net", {"shading": "gathered"}),
+    ("scenes/lights/stage.json", "light", {"shading": "gathered"}),
+    ("scenes/lights/stage.json", "light", {}),
     ("scenes/space/cube.json", "light", {"outlines": True, "axes": True}),
 ])
 def test_pictures_of_quantities_are_those_of_the_program(scene, show, options, tmp_path):

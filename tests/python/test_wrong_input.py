@@ -236,7 +236,8 @@ def test_grids_that_are_none(simulation):
 
 def test_pictures_that_cannot_be_had(simulation, tmp_path):
     for options in ({"show": "x"}, {"show": "factor:nowhere"}, {"size": -1}, {"size": 10**6}, {"tone": "blue"},
-                    {"exposure": 0}, {"exposure": math.inf}, {"shading": "x"}, {"shading": "smooth"}, {"contours": -1}, {"outlines": True},
+                    {"exposure": 0}, {"exposure": math.inf}, {"shading": "x"}, {"shading": "smooth"},
+                    {"show": "net", "shading": "gathered"}, {"contours": -1}, {"outlines": True},
                     {"show": "net", "bar": "a:b"}, {"show": "net", "tone": "max"}, {"show": "net", "contours": 3},
                     {"of": "grid"}, {"channel": "r"}, {"show": "net", "size": 10}):
         with pytest.raises(hottel.UsageError):

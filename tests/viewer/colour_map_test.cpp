@@ -107,5 +107,13 @@ TEST(Legend, ShowsTitleLabelsAndAllColours) {
   EXPECT_NEAR(lightness(colour(bar[0].image.pixels.back())), lightness(map_colour(1)), 0.01);
 }
 
+TEST(Legend, ALongTitleStaysInTheCanvas) {
+  RecordingCanvas canvas(320, 60);
+  const std::string title = "radiosity, mean of r, g, b [W/m²]: 0.0166557 to 0.233878, values to 13.3508";
+  draw_legend(canvas, {0, 1}, title, {10, 5}, 252, 0.6);
+  for (const auto& call : canvas.calls(Mark::kLegend, RecordingCanvas::Kind::kText))
+    for (const Pixel& p : call.points) EXPECT_LE(p.x, 320) << call.text;
+}
+
 }  // namespace
 }  // namespace hottel::colour_map_test

@@ -43,8 +43,18 @@ TEST(FittedScale, AnEndIsCutOnlyWhereThatGivesMoreThanHalfOfTheBar) {
   EXPECT_EQ(fitted_scale(room(3, 2), {}, {}).scale.upper, 1.97);
 }
 
-TEST(FittedScale, WhatHasMoreOfTheAreaIsShown) {
-  EXPECT_EQ(fitted_scale(room(1000, 10), {}, {}).scale.upper, 1000);
+TEST(FittedScale, TheLargerALampTheMoreItMustStandOut) {
+  EXPECT_EQ(fitted_scale(room(1000, 8), {}, {}).scale.upper, 1.98) << "two walls and the lamp are 10 of 109";
+  EXPECT_EQ(fitted_scale(room(4, 8), {}, {}).scale.upper, 1.98);
+  EXPECT_EQ(fitted_scale(room(3.8, 8), {}, {}).scale.upper, 3.8)
+      << "what is cut off is to be twice as long as the rest";
+  EXPECT_LE(fitted_scale(room(1000, 20), {}, {}).scale.upper, 2);
+  EXPECT_EQ(fitted_scale(room(-1000, 8), {}, {}).scale.lower, 1.02);
+  EXPECT_EQ(fitted_scale(room(1000, 8), {}, {.has_sign = true}).scale.upper, 1.98);
+}
+
+TEST(FittedScale, WhatHasMoreThanAFifthOfTheAreaIsShown) {
+  EXPECT_EQ(fitted_scale(room(1000, 30), {}, {}).scale.upper, 1000);
   // It is the area that counts, however finely it is divided.
   std::vector<AreaValue> divided;
   for (const AreaValue& each : room(1000, 2)) divided.insert(divided.end(), 4, {each.value, each.area / 4});

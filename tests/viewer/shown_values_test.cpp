@@ -54,7 +54,7 @@ struct Solved {
 
   ShownValues shown(const Shown& what) const {
     require_shown(what, simulation.scene());
-    return shown_values(what, simulation.scene(), simulation.factors()->matrix, *simulation.radiosities(), "W/m²");
+    return shown_values(what, simulation.scene(), simulation.factors()->matrix, *simulation.radiosities());
   }
   const ElementRadiosity& element(std::uint32_t i, std::size_t channel = 0) const {
     return simulation.radiosities()->channels[channel].elements[i];
@@ -163,7 +163,7 @@ TEST(ShownValues, RoundingsHaveOneColour) {
                                {.factors = {.granularity = Granularity::kElement}});
   for (const Quantity quantity : {Quantity::kRadiosity, Quantity::kIrradiance, Quantity::kNet}) {
     const ShownValues shown =
-        shown_values({quantity}, simulation.scene(), simulation.factors()->matrix, *simulation.radiosities(), "W/m²");
+        shown_values({quantity}, simulation.scene(), simulation.factors()->matrix, *simulation.radiosities());
     EXPECT_EQ(shown.scale.lower, shown.scale.upper);
     EXPECT_NEAR(shown.scale.lower, quantity == Quantity::kNet ? 0 : 2, 1e-10);
     EXPECT_THAT(shown.title, testing::EndsWith(quantity == Quantity::kNet ? "]: 0" : "]: 2"));

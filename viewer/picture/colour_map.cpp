@@ -250,7 +250,8 @@ double draw_legend(PictureCanvas& canvas, const ColourScale& scale, const std::s
                    double bar_width, double unit, const LegendMarks& marks) {
   TextStyle heading{.size = 17 * unit, .colour = palette::kInk};
   const TextStyle small{.size = 14 * unit, .colour = palette::kSoftInk, .anchor = TextAnchor::kCentre};
-  heading.size *= std::min(1.0, 1.6 * bar_width / std::max(1.0, canvas.text_width(title, heading)));
+  const double room = std::max(bar_width, std::min(1.6 * bar_width, canvas.width() - corner.x - 4 * unit));
+  heading.size *= std::min(1.0, room / std::max(1.0, canvas.text_width(title, heading)));
   canvas.text(Mark::kLegend, {corner.x, corner.y + 13 * unit}, title, heading);
   BarPlace bar{corner.x, corner.x + bar_width, corner.y + 24 * unit, corner.y + 38 * unit};
   const double wide = std::max(bar_width, canvas.text_width(title, heading));

@@ -12,13 +12,13 @@ namespace {
 // As a title would have them.
 bool are_told_apart(double lower, double upper) { return fmt::format("{:.6g}", lower) != fmt::format("{:.6g}", upper); }
 
-// The least value beyond which lies kCutShare of the area or less. REQUIRES ascending ones, and some.
-double cut_of(const std::vector<AreaValue>& ascending) {
+// The least value beyond which lies this share of the area or less. REQUIRES ascending ones, and some.
+double value_below(const std::vector<AreaValue>& ascending, double share) {
   double all = 0, beyond = 0;
   for (const AreaValue& each : ascending) all += each.area;
   for (std::size_t k = ascending.size(); k-- > 0;) {
     beyond += ascending[k].area;
-    if (beyond > kCutShare * all) return ascending[k].value;
+    if (beyond > share * all) return ascending[k].value;
   }
   return ascending.front().value;
 }
@@ -32,21 +32,28 @@ std::vector<AreaValue> mirrored(const std::vector<AreaValue>& ascending) {
   return result;
 }
 
+// The greatest value, or what the upper end is cut to. lower: where the values begin that are to keep their colours.
+double upper_end(const std::vector<AreaValue>& ascending, double lower) {
+  const double greatest = ascending.back().value;
+  for (int k = 1; k <= kCuts; ++k) {
+    const double cut = value_below(ascending, k * kCutShare);
+    if (are_told_apart(lower, cut) && lower < cut && greatest - cut > k * (cut - lower)) return cut;
+  }
+  return greatest;
+}
+
 // Ends from the least to the greatest, cut where it is worth it.
 void fit_ends(const std::vector<AreaValue>& ascending, ColourScale& scale) {
-  const double least = ascending.front().value, greatest = ascending.back().value;
-  const double lower = -cut_of(mirrored(ascending)), upper = cut_of(ascending);
-  const bool has_inside = are_told_apart(lower, upper);
-  scale.lower = has_inside && lower - least > upper - lower ? lower : least;
-  scale.upper = has_inside && greatest - upper > upper - lower ? upper : greatest;
+  const std::vector<AreaValue> descending = mirrored(ascending);
+  scale.upper = upper_end(ascending, -value_below(descending, kCutShare));
+  scale.lower = -upper_end(descending, -value_below(ascending, kCutShare));
   if (!are_told_apart(scale.lower, scale.upper)) scale.upper = scale.lower;
 }
 
 void fit_about_zero(std::vector<AreaValue> values, double noise, ColourScale& scale) {
   for (AreaValue& each : values) each.value = std::abs(each.value);
   sort_ascending(values);
-  const double farthest = values.back().value, cut = cut_of(values);
-  scale.upper = farthest <= noise ? 0 : cut > noise && farthest - cut > cut ? cut : farthest;
+  scale.upper = values.back().value <= noise ? 0 : upper_end(values, noise);
   scale.lower = scale.upper > 0 ? -scale.upper : 0;
 }
 

@@ -32,16 +32,19 @@ struct ScaleSense {
   double noise = 0;       // of what has a sign: what is not farther from 0 is 0
 };
 
-// The share of the area, from each end of the values, that may lie beyond an end that is cut.
+// The share of the area that may lie beyond an end that is cut once, and how often an end may be cut.
 inline constexpr double kCutShare = 0.05;
+inline constexpr int kCuts = 4;
 
 // Returns the scale of values.
 //
-//   (1) its ends are the least and the greatest value. An end is cut to the value beyond which lies kCutShare of the
-//       area or less, where what is cut off would take more of the bar than all between the two such values: one lamp
-//       does not flatten a room, and what has no lamp is shown whole
-//   (2) of what has a sign the ends are as far from 0: as the farthest value, or cut by the same rule to that
-//       beyond which, in either direction, lies kCutShare of the area or less
+//   (1) its ends are the least and the greatest value. An end is cut to the value beyond which lies k times kCutShare
+//   of
+//       the area or less, where what is cut off is more than k times as long as all from there to the value beyond
+//       which lies kCutShare at the other end, for the least k from 1 to kCuts with which it is: lamps do not flatten a
+//       room, the larger they are the more they must stand out, and what has no lamp is shown whole
+//   (2) of what has a sign the ends are as far from 0: as the farthest value, or cut by the same rule of distances
+//       from 0, in either direction
 //   (3) values that six digits do not tell apart have one colour: the scale is empty then (lower == upper), and
 //       nothing is cut to such a one. Roundings make no pattern
 //   (4) a logarithmic scale runs from the least value above 0 to the greatest, and is not cut

@@ -21,6 +21,10 @@ inline constexpr std::uint32_t kMinPictureWidth = 200;
 // How light becomes colours (tone_curve.h).
 enum class Tone : unsigned char { kLinear, kReinhard, kLog, kMax };
 
+// The curve of light where none is asked for. In the plane light between faces spans decades, up to the lamps; a camera
+// in space sees lit surfaces, and tells more between them.
+inline constexpr Tone kUsualTone2 = Tone::kLog, kUsualTone3 = Tone::kReinhard;
+
 // "linear", "reinhard", "log", "max"; and back, nothing for other names.
 const char* to_string(Tone tone);
 std::optional<Tone> tone_of(std::string_view name);

@@ -11,7 +11,7 @@
 namespace hottel {
 namespace {
 
-constexpr std::array<std::string_view, 3> kShadings{"flat", "smooth", "parents"};
+constexpr std::array<std::string_view, 4> kShadings{"flat", "smooth", "parents", "gathered"};
 
 bool is_same_tree(const Element& a, const Element& b) {
   return a.surface == b.surface && a.is_back == b.is_back && a.part == b.part;

@@ -14,9 +14,10 @@ namespace hottel {
 // kFlat:    each element has its value all over
 // kSmooth:  values are blended: over flat surfaces in space (SmoothMesh3), along faces in the plane (RunValues2)
 // kParents: the same, of values_from_parents
-enum class Shading : unsigned char { kFlat, kSmooth, kParents };
+// kGathered: in space: each point has what arrives there (gathered_view_3)
+enum class Shading : unsigned char { kFlat, kSmooth, kParents, kGathered };
 
-// "flat", "smooth", "parents"; nothing for other names.
+// "flat", "smooth", "parents", "gathered"; nothing for other names.
 std::optional<Shading> shading_of(std::string_view name);
 
 // Returns values by element and channel in which the finest elements have that of their parent: the mean of its

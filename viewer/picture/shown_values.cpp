@@ -31,9 +31,9 @@ struct QuantityRow {
   const char* word;                                         // of --show
   const char* name;                                         // of its bar
   double (*of_element)(const ElementRadiosity&) = nullptr;  // by channel; null: there is one value for all
-  const char* unit = nullptr;                               // null: that of radiosities
-  bool has_sign = false;                                    // colours part at 0
-  const char* name_at_points = nullptr;                     // null: it is none of points
+  const char* unit = kRadiosityUnit;
+  bool has_sign = false;                 // colours part at 0
+  const char* name_at_points = nullptr;  // null: it is none of points
 };
 
 // The one place that says so. A factor is asked for by `sky` or `factor:NAME`.
@@ -166,10 +166,6 @@ std::string name_of(const Shown& shown, const std::vector<std::string>& channel_
   return with_channel(shown, row_of(shown).name, channel_names) + toward;
 }
 
-std::string unit_of(const Shown& shown, const std::string& unit_of_radiosities) {
-  return row_of(shown).unit != nullptr ? row_of(shown).unit : unit_of_radiosities;
-}
-
 }  // namespace
 
 std::string words_to_show() {
@@ -261,7 +257,7 @@ void require_shown(const Shown& shown, const SceneTable& scene) {
 }
 
 ShownValues shown_values(const Shown& shown, const SceneTable& scene, const ExchangeMatrix& matrix,
-                         const RadiositySolution& solution, const std::string& unit) {
+                         const RadiositySolution& solution) {
   HOTTEL_REQUIRE(!shown.is_light());
   const std::vector<bool> targets =
       shown.quantity == Quantity::kFactor ? targets_of(scene, shown.toward) : std::vector<bool>();
@@ -299,7 +295,7 @@ ShownValues shown_values(const Shown& shown, const SceneTable& scene, const Exch
   }
   fit(shown, area_values(result), largest_radiosity, result);
   result.name = name_of(shown, solution.channel_names);
-  result.unit = unit_of(shown, unit);
+  result.unit = row_of(shown).unit;
   result.title = title_of(result);
   return result;
 }
@@ -328,7 +324,7 @@ double value_at_point(const Shown& shown, const OrientedLight& light) {
 }  // namespace
 
 ShownValues shown_at_points(const Shown& shown, const std::vector<OrientedLight>& lights,
-                            const std::vector<std::string>& channel_names, const std::string& unit) {
+                            const std::vector<std::string>& channel_names) {
   HOTTEL_REQUIRE(is_of_points(shown));
   ShownValues result;
   for (const OrientedLight& light : lights) {
@@ -337,7 +333,7 @@ ShownValues shown_at_points(const Shown& shown, const std::vector<OrientedLight>
   }
   fit(shown, area_values(result), 0, result);
   result.name = with_channel(shown, row_of(shown).name_at_points, channel_names);
-  result.unit = unit_of(shown, unit);
+  result.unit = row_of(shown).unit;
   result.title = title_of(result);
   return result;
 }

@@ -80,9 +80,9 @@ struct ShownValues {
 //       below 1e-9 of the largest radiosity are 0 to it
 //   (6) the title has the ends of the scale, and where it cuts some off how far the values go
 //
-// `unit`: of radiosities. REQUIRES what require_shown takes; the solution of this matrix, of this scene.
+// REQUIRES what require_shown takes; the solution of this matrix, of this scene.
 ShownValues shown_values(const Shown& shown, const SceneTable& scene, const ExchangeMatrix& matrix,
-                         const RadiositySolution& solution, const std::string& unit);
+                         const RadiositySolution& solution);
 
 // Whether a quantity is one of points too, so that a grid can show it: irradiance, temperature (the mean radiant one),
 // and the view factor to the sky.
@@ -96,6 +96,6 @@ void share_scale(const Shown& shown, ShownValues& faces, ShownValues& points);
 // the channel that was asked for, else the mean of three channels, the sum of two bands. Nothing where there is no
 // light to tell. Scale and title as shown_values() has them. REQUIRES is_of_points(shown); lights of these channels.
 ShownValues shown_at_points(const Shown& shown, const std::vector<OrientedLight>& lights,
-                            const std::vector<std::string>& channel_names, const std::string& unit);
+                            const std::vector<std::string>& channel_names);
 
 }  // namespace hottel

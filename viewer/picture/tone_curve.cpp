@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "kernel/support/failure.h"
 #include "viewer/picture/colour_map.h"
@@ -151,19 +152,18 @@ std::array<std::uint8_t, 3> ToneCurve::near_levels(std::span<const double> value
 
 bool is_nearly_even(std::span<const double> values, std::size_t channels, double times) {
   constexpr std::size_t kAsked = 5000;
-  double sum_of_logs = 0, brightest = 0, lit = 0;
+  std::vector<double> lit;
   const std::size_t places = values.size() / channels, step = std::max<std::size_t>(1, places / kAsked);
   for (std::size_t k = 0; k < places; k += step)
-    if (const double y = luminance(rgb(values.subspan(k * channels, channels))); y > 0) {
-      sum_of_logs += std::log(y);
-      brightest = std::max(brightest, y);
-      ++lit;
-    }
-  return lit > 0 && brightest < times * std::exp(sum_of_logs / lit);
+    if (const double y = luminance(rgb(values.subspan(k * channels, channels))); y > 0) lit.push_back(y);
+  if (lit.empty()) return false;
+  const auto middle = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() / 2);
+  std::nth_element(lit.begin(), middle, lit.end());
+  return *std::max_element(middle, lit.end()) < times * *middle;
 }
 
-ToneChoice first_tone(std::span<const double> values, std::size_t channels, double times) {
-  return is_nearly_even(values, channels, times) ? ToneChoice{Tone::kMax, 0.7} : ToneChoice{};
+ToneChoice first_tone(std::span<const double> values, std::size_t channels, double times, Tone usual) {
+  return is_nearly_even(values, channels, times) ? ToneChoice{Tone::kMax, 0.7} : ToneChoice{usual, 1};
 }
 
 }  // namespace hottel

@@ -55,17 +55,17 @@ class ToneCurve {
 
 // A curve and an exposure.
 struct ToneChoice {
-  Tone tone = Tone::kLog;
+  Tone tone = kUsualTone2;
   double exposure = 1;
   friend bool operator==(const ToneChoice&, const ToneChoice&) = default;
 };
 
-// Whether light is nearly even: the brightest of the lit places is less than so many times as bright as their geometric
-// mean. Asked of some thousand of the places. False where nothing is lit.
+// Whether light is nearly even: the brightest of the lit places is less than so many times as bright as half of them or
+// more. Asked of some thousand of the places. False where nothing is lit.
 bool is_nearly_even(std::span<const double> values, std::size_t channels, double times);
 
-// The curve that light is looked at through at first: kLog; where light is nearly even, which that makes white, kMax at
-// less exposure.
-ToneChoice first_tone(std::span<const double> values, std::size_t channels, double times);
+// The curve that light is looked at through at first: the usual one; where light is nearly even, which that makes
+// white, kMax at less exposure.
+ToneChoice first_tone(std::span<const double> values, std::size_t channels, double times, Tone usual);
 
 }  // namespace hottel

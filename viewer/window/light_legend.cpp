@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kDecades = 1e-3;                                     // of the brightest
 constexpr double kGap = 12, kBar = 420, kHigh = 76, kAboveLine = 54;  // units
+constexpr double kLeastWindow = 3;                                    // heights of a legend
 constexpr Colour kPaper{0.992, 0.988, 0.980, 0.9};
 
 ColourScale scale_of(std::span<const double> values, std::size_t channels) {
@@ -43,6 +44,7 @@ void LightLegend::draw(PictureCanvas& canvas, std::optional<double> marked, doub
 
 void draw_legend_on_paper(PictureCanvas& canvas, const ColourScale& scale, const std::string& title,
                           const LegendMarks& marks, double bottom, double unit) {
+  if (kLeastWindow * kHigh * unit > canvas.height()) return;
   const double gap = kGap * unit, low = std::min(bottom, canvas.height() - kAboveLine * unit) - kHigh * unit;
   const double bar = std::min(kBar * unit, (canvas.width() - 4 * gap) / 1.6);
   if (bar <= 0) return;

@@ -34,7 +34,7 @@ class LightLegend {
 };
 
 // Draws the legend of a scale on paper, at the left of a window, where its last line would be or higher: above
-// `bottom`.
+// `bottom`. A window that is less than three times as high as the legend has none.
 void draw_legend_on_paper(PictureCanvas& canvas, const ColourScale& scale, const std::string& title,
                           const LegendMarks& marks, double bottom, double unit);
 

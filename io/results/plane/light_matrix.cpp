@@ -6,7 +6,7 @@
 #include <atomic>
 #include <vector>
 
-#include "kernel/rational.h"
+#include "io/results/view_rows.h"
 #include "kernel/support/parallel.h"
 #include "solver/plane/light/light_rows.h"
 
@@ -16,28 +16,11 @@ namespace {
 constexpr std::size_t kRowsAtATime = 512;
 constexpr std::uint64_t kBytesOfANumber = 20;  // the shortest decimals of most fractions
 
-using Entries = std::vector<std::pair<std::uint32_t, double>>;
-
-// Each column once, ascending. What is seen in several places is summed in their order.
-void collect(const LightRow2& row, Entries& entries) {
+// As they were told, by column.
+void collect(const LightRow2& row, ViewEntries& entries) {
   entries.clear();
   for (std::size_t k = 0; k < row.columns.size(); ++k) entries.emplace_back(row.columns[k], row.fractions[k]);
-  std::ranges::stable_sort(entries, {}, &Entries::value_type::first);
-  std::size_t last = 0;
-  for (std::size_t k = 1; k < entries.size(); ++k) {
-    if (entries[k].first == entries[last].first)
-      entries[last].second += entries[k].second;
-    else
-      entries[++last] = entries[k];
-  }
-  if (!entries.empty()) entries.resize(last + 1);
-}
-
-std::string text_of(std::uint64_t number, const Entries& entries) {
-  std::string text;
-  for (const auto& [column, fraction] : entries)
-    text += fmt::format("{} {} {}\n", number, column + 1, shortest(fraction));
-  return text;
+  merge_columns(entries);
 }
 
 }  // namespace
@@ -46,7 +29,7 @@ LightMatrixSize light_matrix_size(const LightMatrix2& matrix, const std::functio
   std::atomic<std::uint64_t> entries = 0, in_solids = 0;
   for_each_light_row(matrix.prepared, matrix.grid, matrix.table, Blacks2::kListed, progress,
                      [&](std::size_t, const LightRow2& row) {
-                       thread_local Entries of_row;
+                       thread_local ViewEntries of_row;
                        collect(row, of_row);
                        entries += of_row.size();
                        in_solids += row.is_in_solid ? 1 : 0;
@@ -61,23 +44,17 @@ std::uint64_t light_matrix_bytes(const LightMatrix2& matrix, const LightMatrixSi
 
 void write_light_matrix_mtx(const LightMatrix2& matrix, const LightMatrixSize& size,
                             const std::function<void(double)>& progress, const Sink& sink) {
-  sink(
-      fmt::format("%%MatrixMarket matrix coordinate real general\n"
-                  "% fraction of all directions in which the centre of a cell (row) sees an element (column)\n"
-                  "% rows: {} x {} cells, iy * {} + ix + 1 with iy = 0 the lowest, as in illumination.npy\n"
-                  "% columns: as in the .faces.csv beside this file, the sky last\n"
-                  "% {} of {} rows have no entries: the centres of these cells lie in solids\n"
-                  "{} {} {}\n",
-                  matrix.grid.nx, matrix.grid.ny, matrix.grid.nx, size.in_solids, matrix.rows(), matrix.rows(),
-                  matrix.columns(), size.entries));
+  sink(view_matrix_head(fmt::format("{} x {} cells, iy * {} + ix + 1 with iy = 0 the lowest", matrix.grid.nx,
+                                    matrix.grid.ny, matrix.grid.nx),
+                        matrix.rows(), matrix.columns(), size.entries, size.in_solids));
   for_each_light_band(matrix.prepared, matrix.grid, matrix.table, Blacks2::kListed, matrix.memory, progress,
                       [&](std::size_t first, const LightRowBlock2& rows) {
                         for (std::size_t begin = 0; begin < rows.size(); begin += kRowsAtATime) {
                           std::vector<std::string> texts(std::min(kRowsAtATime, rows.size() - begin));
                           parallel_for(texts.size(), [&](std::size_t k) {
-                            thread_local Entries entries;
+                            thread_local ViewEntries entries;
                             collect(rows.row(begin + k), entries);
-                            texts[k] = text_of(first + begin + k + 1, entries);
+                            texts[k] = view_row_text(first + begin + k + 1, entries);
                           });
                           for (const std::string& text : texts) sink(text);
                         }

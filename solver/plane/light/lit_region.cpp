@@ -10,6 +10,12 @@
 #include "geometry/unit_of_length.h"
 
 namespace hottel {
+namespace {
+
+// Whether a coordinate is beyond 2^1124: farther from all doubles than the largest of them is from 0.
+bool is_beyond_doubles(const Rational& x) { return std::isinf(to_double(x / Rational(mpz_class(1) << 100))); }
+
+}  // namespace
 
 LitRegion2::LitRegion2(const PreparedScene2& prepared, const PointLocation2& location, const Light& light,
                        const LightPlace2& place)
@@ -17,6 +23,9 @@ LitRegion2::LitRegion2(const PreparedScene2& prepared, const PointLocation2& loc
       eye_(prepared.arrangement.vertices(), prepared.arrangement.vertices().from_scene(place.position)),
       beam_(light, place),
       scale_(to_double(prepared.arrangement.vertices().scale())) {
+  const Point2 from = eye_.exact();
+  const Rational& unit = prepared.arrangement.vertices().scale();
+  is_beyond_ = std::isnormal(scale_) && (is_beyond_doubles(unit * from.x) || is_beyond_doubles(unit * from.y));
   location.look_around(eye_, view_);
   is_in_solid_ = solid_around(prepared.arrangement, view_) != Solids2::kNone;
   const auto& seen = view_.seen;
@@ -78,6 +87,7 @@ double LitRegion2::irradiance(const Eye2& point) const {
 double LitRegion2::irradiance(const Eye2& point, double way_x, double way_y) const {
   if (way_x == 0 && way_y == 0 && point.exact() == eye_.exact())
     return is_in_solid_ ? 0 : std::numeric_limits<double>::infinity();
+  if (is_beyond_ && std::isfinite(point.x() * scale_) && std::isfinite(point.y() * scale_)) return 0;
   double scale = scale_;
   if (!std::isfinite(way_x) || !std::isfinite(way_y) || !std::isnormal(scale)) {
     // Doubles cannot tell it in the unit of integer form.

@@ -51,6 +51,7 @@ class LitRegion2 {
   double scale_;                // scene units of a unit of integer form
   std::size_t first_half_ = 0;  // steps that begin within half a turn after the first
   bool is_in_solid_ = false;
+  bool is_beyond_ = false;  // so far away that doubles have nothing of its light at points that they have
 };
 
 // All lights of a scene: lamps, which have a place, and suns. Where a ray of a sun reaches a point (SunView2), what it

@@ -1,161 +1,35 @@
 #include "solver/space/light/sent_out.h"
 
 #include <algorithm>
-#include <utility>
 
-#include "geometry/space/prepared/element_table.h"
-#include "geometry/space/prepared/prepared_scene.h"
-#include "geometry/space/visibility/convex_cut.h"
-#include "geometry/space/visibility/seen_faces.h"
+#include "kernel/rational.h"
 
 namespace hottel {
 
-namespace {
-
-constexpr double kNothing = 1e-15;  // what rounding makes of it
-
-std::vector<Direction3> cone_of(const PointMap3& map, const PointMap3::Fragment& fragment) {
-  std::vector<Direction3> cone;
-  for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) cone.push_back(map.corners[c].direction);
-  return cone;
-}
-
-// What of a cone meets a polygon that is convex, as seen from a point; fewer than three directions: nothing.
-std::vector<Direction3> part_toward(const std::vector<Direction3>& cone, const std::vector<Direction3>& polygon,
-                                    const Direction3& eye) {
-  std::vector<Direction3> ways;
-  for (const Direction3& corner : polygon) ways.push_back(unit(corner - eye));
-  return common_cone_3(cone, ways);
-}
-
-}  // namespace
-
 SentOut3::SentOut3(const PreparedScene3& prepared, Granularity granularity, const RadiositySolution& solution)
-    : prepared_(prepared),
-      table_(*prepared.elements(granularity)),
-      solution_(solution),
-      parts_(2 * prepared.blockers().size()) {
-  for (const ElementTable3::Part& part : table_.parts()) {
-    if (part.patch.is_sky() || !table_.has_row(part.label)) continue;
-    Side& side = parts_[Face{part.patch.surface, part.is_back}.number()];
-    side.is_divided = side.is_divided || (!side.parts.empty() && side.parts[0].label != part.label);
-    side.parts.push_back({part.label, {}});
-    for (const Point3& corner : corners_of(prepared.blockers().vertices(), part.patch))
-      side.parts.back().corners.push_back({to_double(corner.x), to_double(corner.y), to_double(corner.z)});
-  }
-  const auto& pieces = prepared.arrangement().pieces();
-  for (std::uint32_t piece = 0; piece < pieces.size(); ++piece)
-    for (const bool is_back : {false, true}) {
-      const Piece3::Side& side = pieces[piece].side(is_back);
-      Side& own = parts_[Face{piece, is_back}.number()];
-      own.is_covered = side.cover != Piece3::Cover::kFree;
-      for (const Polygon3& free : side.free) {
-        std::vector<Direction3>& corners = own.free.emplace_back();
-        for (const Point3& corner : free.points)
-          corners.push_back({to_double(corner.x), to_double(corner.y), to_double(corner.z)});
-        if (is_back) std::ranges::reverse(corners);
-      }
-    }
+    : seen_(prepared, *prepared.elements(granularity), Blacks3::kLeftOut), solution_(solution) {
   for (const Rational& emission : prepared.scene.sky_emission.value) sky_.push_back(to_double(emission));
 }
 
-void SentOut3::mean(const Point3& eye, std::span<double> result) const {
-  const PointMap3 map = map_from(prepared_.blockers(), {.eye = eye, .normal = {}});
-  const auto is_black = [this](const PointMap3::Fragment& fragment) {
-    return parts_[fragment.face.number()].parts.empty();
+SeenElements3::Take SentOut3::adding_to(std::span<double> result) const {
+  return [this, result](std::uint32_t label, double fraction) {
+    for (std::size_t c = 0; c < result.size(); ++c)
+      result[c] += fraction * solution_.channels[c].elements[label].radiosity;
   };
-  if (prepared_.scene.closed && std::ranges::all_of(map.fragments, is_black)) return;
-  if (map.sky_fraction < kNothing && is_in_solids(map, eye)) return;
-  sum(
-      map, eye, [](const PointMap3::Fragment& fragment) { return fragment.fraction; },
-      [](std::span<const Direction3> cone) { return solid_angle_fraction_3(cone); }, result);
-  for (std::size_t c = 0; c < result.size(); ++c) result[c] += map.sky_fraction * sky_[c];
+}
+
+void SentOut3::mean(const Point3& eye, std::span<double> result) const {
+  std::vector<double> sum(result.size(), 0.0);
+  const auto sky = seen_.around(eye, adding_to(sum));
+  if (!sky) return;
+  for (std::size_t c = 0; c < result.size(); ++c) result[c] = sum[c] + *sky * sky_[c];
 }
 
 double SentOut3::irradiance(const Point3& eye, const Vector3& normal, std::span<double> result) const {
-  const PointMap3 map = map_from(prepared_.blockers(), {.eye = eye, .normal = Point3{normal.x, normal.y, normal.z}});
-  const Rational largest = std::max({Rational(abs(normal.x)), Rational(abs(normal.y)), Rational(abs(normal.z))});
-  const Direction3 up =
-      unit({to_double(normal.x / largest), to_double(normal.y / largest), to_double(normal.z / largest)});
-  sum(
-      map, eye, [](const PointMap3::Fragment& fragment) { return fragment.factor; },
-      [&up](std::span<const Direction3> cone) { return view_factor_3(cone, up); }, result);
-  for (std::size_t c = 0; c < result.size(); ++c) result[c] += map.sky_factor * sky_[c];
-  return map.sky_factor;
-}
-
-template <class FractionOf, class Measure>
-void SentOut3::sum(const PointMap3& map, const Point3& eye, const FractionOf& fraction_of, const Measure& measure,
-                   std::span<double> result) const {
   std::fill(result.begin(), result.end(), 0.0);
-  const auto side_of = [this](const PointMap3::Fragment& fragment) -> const Side& {
-    return parts_[fragment.face.number()];
-  };
-  const auto may_be_covered = [&](const PointMap3::Fragment& fragment) { return side_of(fragment).is_covered; };
-  const bool is_on_solid =
-      std::ranges::any_of(map.fragments, may_be_covered) && !solids_at(prepared_.arrangement().solids(), eye).empty();
-  const Direction3 from{to_double(eye.x), to_double(eye.y), to_double(eye.z)};
-  for (const PointMap3::Fragment& fragment : map.fragments) {
-    const Side& side = side_of(fragment);
-    if (side.parts.empty()) continue;
-    if (is_on_solid && side.is_covered) {
-      add_free(cone_of(map, fragment), side, from, measure, result);
-      continue;
-    }
-    if (!side.is_divided) {
-      add(side.parts[0].label, fraction_of(fragment), result);
-      continue;
-    }
-    add_divided(cone_of(map, fragment), fraction_of(fragment), side, from, measure, result);
-  }
-}
-
-// What is seen through a solid that begins at the eye is not there.
-template <class Measure>
-void SentOut3::add_free(const std::vector<Direction3>& cone, const Side& side, const Direction3& eye,
-                        const Measure& measure, std::span<double> result) const {
-  for (const std::vector<Direction3>& free : side.free) {
-    const std::vector<Direction3> seen = part_toward(cone, free, eye);
-    const double fraction = seen.size() > 2 ? measure(seen) : 0;
-    if (!(fraction > kNothing)) continue;
-    if (side.is_divided)
-      add_divided(seen, fraction, side, eye, measure, result);
-    else
-      add(side.parts[0].label, fraction, result);
-  }
-}
-
-// Whether all that a point would see looks into solids: so it is within a wall between several.
-bool SentOut3::is_in_solids(const PointMap3& map, const Point3& eye) const {
-  const Direction3 from{to_double(eye.x), to_double(eye.y), to_double(eye.z)};
-  return !map.fragments.empty() && std::ranges::all_of(map.fragments, [&](const PointMap3::Fragment& fragment) {
-    const Side& side = parts_[fragment.face.number()];
-    return side.is_covered && std::ranges::none_of(side.free, [&](const std::vector<Direction3>& free) {
-             const std::vector<Direction3> seen = part_toward(cone_of(map, fragment), free, from);
-             return seen.size() > 2 && solid_angle_fraction_3(seen) > kNothing;
-           });
-  });
-}
-
-void SentOut3::add(std::uint32_t label, double fraction, std::span<double> result) const {
-  for (std::size_t c = 0; c < result.size(); ++c)
-    result[c] += fraction * solution_.channels[c].elements[label].radiosity;
-}
-
-// The cone by the elements in it, in the proportion of their angles.
-template <class Measure>
-void SentOut3::add_divided(const std::vector<Direction3>& cone, double fraction, const Side& side,
-                           const Direction3& eye, const Measure& measure, std::span<double> result) const {
-  std::vector<double> fractions;
-  double sum = 0;
-  for (const Part& part : side.parts) {
-    const std::vector<Direction3> common = part_toward(cone, part.corners, eye);
-    fractions.push_back(common.size() > 2 ? std::max(0.0, measure(common)) : 0);
-    sum += fractions.back();
-  }
-  if (!(sum > 0)) return add(side.parts[0].label, fraction, result);
-  for (std::size_t k = 0; k < side.parts.size(); ++k)
-    if (fractions[k] > 0) add(side.parts[k].label, fraction * (fractions[k] / sum), result);
+  const double sky = seen_.toward(eye, normal, adding_to(result));
+  for (std::size_t c = 0; c < result.size(); ++c) result[c] += sky * sky_[c];
+  return sky;
 }
 
 }  // namespace hottel

@@ -6,11 +6,9 @@
 #include <vector>
 
 #include "geometry/element.h"
-#include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
-#include "geometry/space/visibility/direction.h"
-#include "geometry/space/visibility/point_map.h"
 #include "solver/radiosity/radiosity_solution.h"
+#include "solver/space/light/seen_elements.h"
 
 namespace hottel {
 
@@ -36,33 +34,10 @@ class SentOut3 {
   double irradiance(const Point3& eye, const Vector3& normal, std::span<double> result) const;
 
  private:
-  struct Part {
-    std::uint32_t label;
-    std::vector<Direction3> corners;  // in scene coordinates
-  };
-  struct Side {
-    bool is_divided = false;  // its parts are of several elements
-    std::vector<Part> parts;
-    bool is_covered = false;  // but for these, it looks into solids; none where all of it does
-    std::vector<std::vector<Direction3>> free{};
-  };
+  SeenElements3::Take adding_to(std::span<double> result) const;
 
-  bool is_in_solids(const PointMap3& map, const Point3& eye) const;
-  template <class FractionOf, class Measure>
-  void sum(const PointMap3& map, const Point3& eye, const FractionOf& fraction_of, const Measure& measure,
-           std::span<double> result) const;
-  template <class Measure>
-  void add_free(const std::vector<Direction3>& cone, const Side& side, const Direction3& eye, const Measure& measure,
-                std::span<double> result) const;
-  void add(std::uint32_t label, double fraction, std::span<double> result) const;
-  template <class Measure>
-  void add_divided(const std::vector<Direction3>& cone, double fraction, const Side& side, const Direction3& eye,
-                   const Measure& measure, std::span<double> result) const;
-
-  const PreparedScene3& prepared_;
-  const ElementTable3& table_;
+  SeenElements3 seen_;
   const RadiositySolution& solution_;
-  std::vector<Side> parts_;  // by side of a piece
   std::vector<double> sky_;
 };
 

@@ -50,8 +50,7 @@ RenderedView3 view_of(const Simulation3& simulation, RenderOptions3 options) {
 }
 
 ShownValues shown(const Simulation3& simulation, const std::string& word) {
-  return shown_values(shown_by(word), simulation.scene(), simulation.factors()->matrix, *simulation.radiosities(),
-                      "W/m²");
+  return shown_values(shown_by(word), simulation.scene(), simulation.factors()->matrix, *simulation.radiosities());
 }
 
 bool is_in(const Pixel& p, const std::vector<Pixel>& polygon, double margin) {
@@ -110,7 +109,7 @@ TEST(RenderedView3, ShapesHaveTheColoursOfThePixels) {
     const SmoothMesh3 mesh(*simulation.prepared(), table);
     const PixelValues3 pixels =
         camera_view_3({*simulation.prepared(), table, paint, shading == Shading::kSmooth ? &mesh : nullptr}, camera);
-    const ToneCurve tone(Tone::kLog, 1, pixels.values, pixels.channels);
+    const ToneCurve tone(kUsualTone3, 1, pixels.values, pixels.channels);
     // In narrow triangles a band is more than one step wide, and in red or blue a step of luminance is several.
     const double slack = shading == Shading::kFlat ? 1.0 / 255 : 8.0 / 128;
     int compared = 0;

@@ -31,7 +31,7 @@ TEST(LightLegend, GoesFromTheDarkestThatIsLitToTheBrightest) {
 
 TEST(LightLegend, FitsIntoEachWindowAtEachScale) {
   for (const double unit : {1.0, 1.5, 2.0})
-    for (const auto& [width, height] : {std::pair(640.0, 400.0), {1280.0, 800.0}}) {
+    for (const auto& [width, height] : {std::pair(640.0, 460.0), {1280.0, 800.0}}) {
       RecordingCanvas canvas(width, height);
       legend_of({0.5, 100}).draw(canvas, 20, height, unit);
       EXPECT_TRUE(canvas.wrote("radiosity [W/m²]"));
@@ -46,6 +46,12 @@ TEST(LightLegend, FitsIntoEachWindowAtEachScale) {
     }
 }
 
+TEST(LightLegend, IsNotThereWhereItWouldHaveAThirdOfTheWindow) {
+  RecordingCanvas canvas(640, 400);
+  legend_of({0.5, 100}).draw(canvas, 20, 400, 2);
+  EXPECT_TRUE(canvas.calls().empty());
+}
+
 TEST(LightLegend, MarksALightWhereTheScaleHasIt) {
   RecordingCanvas canvas(1280, 800), without(1280, 800);
   const LightLegend legend = legend_of({1, 10000});
@@ -58,14 +64,16 @@ TEST(LightLegend, MarksALightWhereTheScaleHasIt) {
   EXPECT_NEAR(strokes.back().points[0].x, bar[0].x + share * (bar[1].x - bar[0].x), 1e-9);
 }
 
-TEST(FirstTone, IsTheLogarithmUnlessLightIsNearlyEven) {
+TEST(FirstTone, IsTheUsualOneUnlessLightIsNearlyEven) {
   std::vector<double> even(1000, 300), lamp(1000, 1);
   even[3] = 400;
   lamp[3] = 50;
-  EXPECT_EQ(first_tone(even, 1, 2), (ToneChoice{Tone::kMax, 0.7}));
-  EXPECT_EQ(first_tone(lamp, 1, 2), ToneChoice());
-  EXPECT_EQ(first_tone(std::vector<double>(9, 0), 3, 2), ToneChoice());
-  EXPECT_EQ(first_tone({}, 1, 2), ToneChoice());
+  EXPECT_EQ(first_tone(even, 1, 2, Tone::kLog), (ToneChoice{Tone::kMax, 0.7}));
+  even[5] = 1e-6;
+  EXPECT_EQ(first_tone(even, 1, 2, Tone::kLog), (ToneChoice{Tone::kMax, 0.7})) << "one dark side makes no contrast";
+  EXPECT_EQ(first_tone(lamp, 1, 2, Tone::kReinhard), (ToneChoice{Tone::kReinhard, 1}));
+  EXPECT_EQ(first_tone(std::vector<double>(9, 0), 3, 2, Tone::kLog), ToneChoice());
+  EXPECT_EQ(first_tone({}, 1, 2, Tone::kLog), ToneChoice());
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ struct PreparedScene2;
 
 // How the light of a grid becomes a picture.
 struct IlluminationPicture2 {
-  Tone tone = Tone::kLog;
+  Tone tone = kUsualTone2;
   double exposure = 1;                       // what the light is multiplied by; ToneCurve says relative to what
   std::uint32_t wanted_side = 1400;          // pixels of the longer side: rounded to whole pixels a cell
   std::uint32_t wanted_width = 0;            // pixels across instead, where not 0

@@ -9,62 +9,12 @@
 #include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/visibility/point_map.h"
 #include "geometry/space/visibility/seen_faces.h"
+#include "viewer/picture/space/pixel_painter.h"
 
 namespace hottel {
-namespace {
-
-// Adds what is shown of parts to pixels, and what they cover in a last channel.
-class PixelPainter {
- public:
-  PixelPainter(const ElementPaint3& paint, const Camera3& camera)
-      : paint_(paint), shown_(paint.shown_channels() + 1), value_(paint.channels) {
-    pixels_ = {camera.width, camera.height, shown_.size(), {}};
-    pixels_.values.assign(std::size_t{camera.width} * camera.height * shown_.size(), 0);
-    shown_.back() = 1;
-  }
-
-  void add(const SeenPart3& part) {
-    if (part.shade != nullptr) return add_blended(part.outline, *part.shade);
-    if (!part.element)
-      std::copy(paint_.black.begin(), paint_.black.end(), shown_.begin());
-    else if (!paint_.has_value(*part.element))
-      std::copy(paint_.unknown.begin(), paint_.unknown.end(), shown_.begin());
-    else
-      paint_.show(paint_.value(*part.element), shown_);
-    add_polygon(part.outline, shown_, pixels_);
-  }
-
-  // With the sky where nothing is.
-  PixelValues3 finished() const {
-    const std::size_t channels = paint_.shown_channels();
-    PixelValues3 result{pixels_.width, pixels_.height, channels, {}};
-    result.values.reserve(pixels_.values.size() / (channels + 1) * channels);
-    for (std::size_t k = 0; k < pixels_.values.size(); k += channels + 1) {
-      const double sky = std::max(0.0, 1 - pixels_.values[k + channels]);
-      for (std::size_t c = 0; c < channels; ++c) result.values.push_back(pixels_.values[k + c] + sky * paint_.sky[c]);
-    }
-    return result;
-  }
-
- private:
-  void add_blended(const PixelPolygon& outline, const Shade3& shade) {
-    for_each_covered_pixel(outline, pixels_.width, pixels_.height, [&](const PixelCover3& cover) {
-      shade.value(cover.middle, value_);
-      paint_.show(value_, shown_);
-      double* pixel = pixels_.values.data() + (std::size_t{cover.y} * pixels_.width + cover.x) * pixels_.channels;
-      for (std::size_t c = 0; c < shown_.size(); ++c) pixel[c] += cover.part * shown_[c];
-    });
-  }
-
-  const ElementPaint3& paint_;
-  PixelValues3 pixels_;
-  std::vector<double> shown_, value_;  // of one place; what is shown, and 1
-};
-
-}  // namespace
 
 PixelValues3 camera_view_3(const SeenScene3& scene, const Camera3& camera) {
-  PixelPainter painter(scene.paint, camera);
+  PixelPainter3 painter(scene.paint, camera);
   for_each_seen_part(scene, camera, [&](const SeenPart3& part) { painter.add(part); });
   return painter.finished();
 }

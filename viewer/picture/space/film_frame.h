@@ -5,12 +5,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "geometry/space/prepared/element_table.h"
 #include "kernel/support/stage.h"
 #include "solver/space/simulation/simulation.h"
 #include "viewer/picture/space/render_picture.h"
 #include "viewer/picture/space/seen_picture.h"
+#include "viewer/picture/space/seen_sides.h"
 #include "viewer/picture/space/smooth_mesh.h"
 
 namespace hottel {
@@ -21,7 +23,9 @@ namespace hottel {
 //       change what stays
 //   (2) file() is a function of that picture and of the simulation: what is kept changes nothing. No level of a pixel
 //       is off by more than one from what RenderedView3 has by the same curve
-//   (3) where the same elements are active, what hides what is not looked at again
+//   (3) where the same elements are active, what hides what from the camera is not looked at again; but where light is
+//       gathered
+//   (4) direct light of lamps and suns is that of each point, whatever the shading
 class FilmPainter3 {
  public:
   // Beside a list of active elements: what is seen of them.
@@ -29,6 +33,7 @@ class FilmPainter3 {
     std::shared_ptr<const ElementTable3> table;
     std::optional<SmoothMesh3> mesh;
     std::optional<SeenPicture3> seen;
+    std::vector<SeenSide3> sides;  // where there are lights
     std::uint64_t seen_bytes = 0;  // about
 
     std::uint64_t bytes() const { return seen_bytes; }
@@ -42,6 +47,10 @@ class FilmPainter3 {
   std::string file(const Simulation3& simulation, Kept& kept, const StageProgress& progress) const;
 
  private:
+  // The options for a simulation.
+  RenderOptions3 options_for(const Simulation3& simulation, const StageProgress& progress) const;
+  void look(const PreparedScene3& prepared, const ElementPaint3& paint, Kept& kept) const;
+
   RenderOptions3 options_;
   std::optional<ToneCurve> curve_;
 };

@@ -12,7 +12,7 @@
 namespace hottel {
 
 struct GridPicture3 {
-  Tone tone = Tone::kLog;
+  Tone tone = kUsualTone3;
   double exposure = 1;             // what the light is multiplied by; ToneCurve says relative to what
   std::uint32_t wanted_width = 0;  // pixels across, rounded to whole pixels a cell; 0: the longer side has about 800
   bool has_axes = false;           // margins with axes along u and v, and a scale bar

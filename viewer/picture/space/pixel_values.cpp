@@ -5,14 +5,22 @@
 namespace hottel {
 namespace {
 
-Pixel on_the_way(const Pixel& a, const Pixel& b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
-
 template <class Height>
 PixelPolygon cut(const PixelPolygon& polygon, const Height& height) {
-  return cut_convex(polygon, height, on_the_way);
+  return cut_convex(polygon, height, place_between_3);
 }
 
 }  // namespace
+
+Pixel place_between_3(const Pixel& a, const Pixel& b, double t) {
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+}
+
+Pixel middle_of_corners_3(std::span<const Pixel> polygon) {
+  Pixel sum;
+  for (const Pixel& p : polygon) sum = {sum.x + p.x, sum.y + p.y};
+  return {sum.x / static_cast<double>(polygon.size()), sum.y / static_cast<double>(polygon.size())};
+}
 
 double pixel_area_doubled_3(std::span<const Pixel> polygon) {
   double sum = 0;

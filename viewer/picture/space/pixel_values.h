@@ -27,6 +27,11 @@ struct PixelValues3 {
 // A convex polygon in a picture, its corners in order.
 using PixelPolygon = std::vector<Pixel>;
 
+// The place at the part t of the way between two.
+Pixel place_between_3(const Pixel& a, const Pixel& b, double t);
+// The mean of the corners. REQUIRES a corner.
+Pixel middle_of_corners_3(std::span<const Pixel> polygon);
+
 // Twice the area, negative where it goes around clockwise as y goes up.
 double pixel_area_doubled_3(std::span<const Pixel> polygon);
 

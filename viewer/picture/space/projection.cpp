@@ -61,6 +61,11 @@ std::optional<std::array<Pixel, 2>> Projection3::line(Direction3 from, Direction
   return std::array{place(from, out_from), place(to, out_to)};
 }
 
+Direction3 Projection3::direction(const Pixel& place) const {
+  return forward_ + (half_width_ * (2 * place.x / width_ - 1)) * right_ +
+         (half_height_ * (1 - 2 * place.y / height_)) * up_;
+}
+
 AffineValue3 Projection3::dot_with(const Direction3& m) const {
   const double right = half_width_ * dot(m, right_), up = half_height_ * dot(m, up_);
   return {2 * right / width_, -2 * up / height_, dot(m, forward_) - right + up};

@@ -32,6 +32,9 @@ class Projection3 {
   // The picture of the straight line between the ends of two ways, as far as it is in the picture.
   std::optional<std::array<Pixel, 2>> line(Direction3 from, Direction3 to) const;
 
+  // The direction that is seen at a place, 1 long along the axis of the camera.
+  Direction3 direction(const Pixel& place) const;
+
   // A direction as the camera has it: to the right, upwards, and away from the eye.
   Direction3 turned(const Direction3& way) const { return {dot(way, right_), dot(way, up_), dot(way, forward_)}; }
 

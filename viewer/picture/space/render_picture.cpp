@@ -3,17 +3,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/visibility/convex_cut.h"
+#include "kernel/support/failure.h"
+#include "solver/space/light/scene_lights.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/colour_map.h"
 #include "viewer/picture/palette.h"
 #include "viewer/picture/png_file.h"
-#include "viewer/picture/raster.h"
+#include "viewer/picture/space/direct_view.h"
+#include "viewer/picture/space/gathered_source.h"
+#include "viewer/picture/space/gathered_view.h"
+#include "viewer/picture/space/pixel_raster.h"
+#include "viewer/picture/space/seen_sides.h"
 #include "viewer/picture/space/tripod.h"
 
 namespace hottel {
@@ -24,21 +31,24 @@ constexpr double kFooterUnits = 72, kPen = 1.4;
 constexpr double kTitleOverBar = 1.6;  // how wide a title may be
 constexpr double kLeastBand = 2;       // pixels
 constexpr double kLeastArea = 1e-9;    // square pixels, of shapes that are drawn
+// How far gathered points may be from what their neighbours tell; between them it is a quarter of that as a rule.
+constexpr double kMostSteps = 1;
+constexpr double kPart = 0.004;  // the same of numbers, as a part of them
+constexpr double kDark = 1e-6;   // of the largest radiosity: what is less is told to a part of that
+
+// How far values are apart, as a part of the larger one or of the least that counts, by the channel where that is most.
+double parts_between(std::span<const double> a, std::span<const double> b, double least) {
+  double most = 0;
+  for (std::size_t c = 0; c < a.size(); ++c)
+    most = std::max(most, std::fabs(a[c] - b[c]) / std::max({std::fabs(a[c]), std::fabs(b[c]), least}));
+  return most;
+}
 
 double footer_unit(const Camera3& camera) { return std::max(camera.width / 1000.0, 0.6); }
 
 PixelPolygon cut(const PixelPolygon& polygon, const AffineValue3& above, double sign) {
   return cut_convex(
-      polygon, [&](const Pixel& p) { return sign * above.at(p); },
-      [](const Pixel& a, const Pixel& b, double t) {
-        return Pixel{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
-      });
-}
-
-Pixel middle_of(const PixelPolygon& polygon) {
-  Pixel sum;
-  for (const Pixel& p : polygon) sum = {sum.x + p.x, sum.y + p.y};
-  return {sum.x / static_cast<double>(polygon.size()), sum.y / static_cast<double>(polygon.size())};
+      polygon, [&](const Pixel& p) { return sign * above.at(p); }, place_between_3);
 }
 
 double diameter(const PixelPolygon& polygon) {
@@ -87,11 +97,64 @@ RenderedView3::RenderedView3(const PreparedScene3& prepared, Granularity granula
   if (options_.shading == Shading::kParents)
     paint_.values = values_from_parents(table_.elements(), paint_.values, paint_.channels);
   if (options_.shading != Shading::kFlat) mesh_.emplace(prepared, table_);
-  pixels_ = camera_view_3(seen(), camera_);
+  if (options_.shading == Shading::kGathered)
+    gather(granularity, solution);
+  else
+    add_pixels(solution);
   if (options_.has_outlines) outlines_ = seen_outlines_3(prepared, camera_);
   if (options_.shown || options_.has_axes)
     footer_ = static_cast<std::uint32_t>(std::ceil(kFooterUnits * footer_unit(camera_)));
-  if (!options_.shown) tone_.emplace(options_.tone, options_.exposure, pixels_.values, pixels_.channels);
+  if (!options_.shown)
+    tone_ = options_.curve.value_or(ToneCurve(options_.tone, options_.exposure, pixels_.values, pixels_.channels));
+}
+
+// What elements have, and where direct light is told apart, that of each point.
+void RenderedView3::add_pixels(const RadiositySolution& solution) {
+  const bool is_apart = options_.light_shares && !options_.light_shares->empty() && !options_.shown;
+  if (!is_apart) {
+    pixels_ = camera_view_3(seen(), camera_);
+    return;
+  }
+  ElementPaint3 reflected = reflected_paint_3(prepared_, table_, solution, *options_.light_shares);
+  if (options_.shading == Shading::kParents)
+    reflected.values = values_from_parents(table_.elements(), reflected.values, reflected.channels);
+  pixels_ = camera_view_3({prepared_, table_, reflected, mesh_ ? &*mesh_ : nullptr}, camera_);
+  add_direct_light_3(prepared_, table_, solution, camera_, seen_sides_3(prepared_, camera_), pixels_);
+}
+
+void RenderedView3::gather(Granularity granularity, const RadiositySolution& solution) {
+  const GatheredSource3 source(
+      prepared_, granularity, solution, options_.asked,
+      options_.light_shares ? std::span<const LightShares>(*options_.light_shares) : std::span<const LightShares>());
+  std::optional<SceneLights3> lights;
+  if (options_.shown) lights.emplace(prepared_);
+  // Errors are counted by a curve that is fitted to smooth elements, and as good as the one that is fitted at the end.
+  std::optional<ToneCurve> curve = options_.curve;
+  if (!curve && !options_.shown) {
+    const PixelValues3 smooth = camera_view_3(seen(), camera_);
+    curve.emplace(options_.tone, options_.exposure, smooth.values, smooth.channels);
+  }
+  const double least = std::max(kDark * largest_radiosity(solution), std::numeric_limits<double>::min());
+  const auto steps = [&](std::span<const double> shown_a, std::span<const double> shown_b) {
+    const double levels = steps_between(curve ? &*curve : nullptr, shown_a, shown_b);
+    return options_.is_for_numbers ? std::max(levels, parts_between(shown_a, shown_b, least) / kPart) : levels;
+  };
+  pixels_ =
+      gathered_view_3(source.scene(paint_, lights ? &*lights : nullptr), camera_, steps, kMostSteps, options_.progress)
+          .pixels;
+  if (!options_.shown)
+    add_direct_light_3(prepared_, table_, solution, camera_, seen_sides_3(prepared_, camera_), pixels_);
+}
+
+// In 256 levels.
+double RenderedView3::steps_between(const ToneCurve* curve, std::span<const double> a,
+                                    std::span<const double> b) const {
+  const auto colour = [curve](std::span<const double> shown) {
+    if (curve != nullptr) return (*curve)(shown);
+    return Colour{srgb_from_linear(shown[0]), srgb_from_linear(shown[1]), srgb_from_linear(shown[2])};
+  };
+  const Colour p = colour(a), q = colour(b);
+  return 255 * std::max({std::fabs(p.r - q.r), std::fabs(p.g - q.g), std::fabs(p.b - q.b)});
 }
 
 Colour RenderedView3::colour_of(std::span<const double> shown) const {
@@ -139,7 +202,7 @@ void RenderedView3::add_bands(const SeenPart3& part, std::span<const double> lev
   std::vector<double> value(paint_.channels);
   const auto add = [&](const PixelPolygon& band) {
     if (band.size() < 3) return;
-    part.shade->value(middle_of(band), value);
+    part.shade->value(middle_of_corners_3(band), value);
     fills.push_back({colour_of_value(value), {band}});
   };
   const double high = part.shade->high(weight);
@@ -164,7 +227,7 @@ RenderedView3::Shapes RenderedView3::shapes() const {
   for_each_seen_part(seen(), camera_, [&](const SeenPart3& part) {
     const bool has_value = part.element && paint_.has_value(*part.element);
     if (part.shade != nullptr) {
-      part.shade->value(middle_of(part.outline), value);
+      part.shade->value(middle_of_corners_3(part.outline), value);
       below.add(part.outline, colour_of_value(value));
       std::vector<ColouredPolygons> bands;
       add_bands(part, level, bands);
@@ -211,15 +274,7 @@ void RenderedView3::draw_footer(PictureCanvas& canvas) const {
 }
 
 std::string RenderedView3::png() const {
-  Raster raster(width(), height());
-  for (std::uint32_t y = 0; y < camera_.height; ++y)
-    for (std::uint32_t x = 0; x < camera_.width; ++x) {
-      const std::span<const double> shown = pixels_.at(x, y);
-      const std::array<std::uint8_t, 3> level =
-          tone_ ? tone_->levels(shown)
-                : std::array<std::uint8_t, 3>{srgb_level(shown[0]), srgb_level(shown[1]), srgb_level(shown[2])};
-      raster.pixels[std::size_t{y} * raster.width + x] = 0xFF000000u | level[0] << 16 | level[1] << 8 | level[2];
-    }
+  Raster raster = pixel_raster_3(pixels_, tone_ ? &*tone_ : nullptr, footer_);
   if (footer_ > 0 || !outlines_.empty()) {
     CairoCanvas canvas(raster);
     draw_outlines(canvas);
@@ -231,6 +286,7 @@ std::string RenderedView3::png() const {
 
 std::string RenderedView3::file(PictureFormat format) const {
   if (format == PictureFormat::kPng) return png();
+  if (options_.shading == Shading::kGathered) throw UsageError("gathered light is of pixels: it is written as .png");
   CairoCanvas canvas(format, width(), height());
   draw(canvas);
   return canvas.finish();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "geometry/space/prepared/element_table.h"
+#include "solver/radiosity/direct_light.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/picture_options.h"
 #include "viewer/picture/seamless_fill.h"
@@ -22,13 +24,21 @@ namespace hottel {
 
 // What is shown, and how it becomes a picture.
 struct RenderOptions3 {
-  Tone tone = Tone::kLog;              // of the light
+  Tone tone = kUsualTone3;             // of the light
   double exposure = 1;                 // what the light is multiplied by; ToneCurve says relative to what
   std::uint32_t wanted_width = 0;      // pixels across instead of the camera's, in its shape, where not 0
   Shading shading = Shading::kFlat;    // how values run over elements
   std::optional<ShownValues> shown{};  // instead of the light
   bool has_outlines = false;           // over what is shown (seen_outlines_3)
   bool has_axes = false;               // the axes and the box of the scene in the footer (Tripod3)
+  Shown asked{};                       // what `shown` are values of; of Shading::kGathered
+  // What lights send to elements first: then the direct light of pixels is that of each point, whatever the shading of
+  // what is reflected (add_direct_light_3). Null: elements have it with the rest.
+  // Gathered light has it of each point, and needs them of what sends.
+  std::shared_ptr<const std::vector<LightShares>> light_shares = nullptr;
+  std::optional<ToneCurve> curve{};  // of the light, instead of one that is fitted to it
+  bool is_for_numbers = false;       // gathered light is told to a part of itself too, for who takes pixels()
+  std::function<void(double)> progress = nullptr;  // of what is gathered: fraction done
 };
 
 // The camera of a scene, or that of default_camera_3, with so many pixels across where that is not 0.
@@ -44,7 +54,9 @@ Camera3 camera_of_scene(const PreparedScene3& prepared, std::uint32_t wanted_wid
 //       have one colour each, or of more where they would be less than two pixels wide; the lines between them are
 //       straight, as the values' are. Nothing shines through between neighbours: all lies on polygons of what is seen
 //       that are half a pixel larger, within the border of all of them
-//   (4) outlines are lines over all that, without steps in a PNG
+//   (4) gathered light is that of gathered_view_3, off by half a step of 256 as a rule, as an estimate; a scale's by as
+//       much. Only a PNG has it: file() throws UsageError for others
+//   (5) outlines are lines over all that, without steps in a PNG
 class RenderedView3 {
  public:
   // Throws as camera_view_3 does. REQUIRES: the solution of the scene's matrix by that granularity, and values of its
@@ -59,6 +71,8 @@ class RenderedView3 {
 
   // The curve of the light. REQUIRES that light is shown.
   const ToneCurve& tone() const { return *tone_; }
+  // What the pixels show, before curves and colours; without the footer.
+  const PixelValues3& pixels() const { return pixels_; }
   // What is shown instead of the light.
   const std::optional<ShownValues>& shown() const { return options_.shown; }
 
@@ -70,6 +84,9 @@ class RenderedView3 {
 
  private:
   SeenScene3 seen() const { return {prepared_, table_, paint_, mesh_ ? &*mesh_ : nullptr}; }
+  void add_pixels(const RadiositySolution& solution);
+  void gather(Granularity granularity, const RadiositySolution& solution);
+  double steps_between(const ToneCurve* curve, std::span<const double> a, std::span<const double> b) const;
   Colour colour_of(std::span<const double> shown) const;
   Colour colour_of_value(std::span<const double> value) const;
   std::vector<double> levels() const;

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "geometry/space/prepared/prepared_scene.h"
-#include "geometry/space/visibility/convex_cut.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
 #include "viewer/picture/space/eye_map.h"
+#include "viewer/picture/space/seen_sides.h"
 
 namespace hottel {
 namespace {
@@ -25,20 +25,6 @@ void add(const AffineValue3& value, double factor, AffineValue3& sum) {
   sum.x += factor * value.x;
   sum.y += factor * value.y;
   sum.one += factor * value.one;
-}
-
-// The part of a convex polygon inside another one, whichever way that goes around.
-PixelPolygon common(PixelPolygon polygon, const PixelPolygon& other) {
-  const double sign = pixel_area_doubled_3(other) < 0 ? -1 : 1;
-  for (std::size_t k = 0; k < other.size() && polygon.size() > 2; ++k) {
-    const Pixel &a = other[k], &b = other[k + 1 == other.size() ? 0 : k + 1];
-    polygon = cut_convex(
-        polygon, [&](const Pixel& p) { return sign * ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)); },
-        [](const Pixel& p, const Pixel& q, double t) {
-          return Pixel{p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
-        });
-  }
-  return polygon;
 }
 
 struct PixelBox {
@@ -218,7 +204,7 @@ void for_each_seen_part(const SeenScene3& scene, const Camera3& camera,
     const PixelBox box(seen);
     for (const SidePart& part : parts) {
       if (!part.is_all && !part.box.meets(box)) continue;
-      PixelPolygon polygon = part.is_all ? seen : common(seen, part.outline);
+      PixelPolygon polygon = part.is_all ? seen : common_polygon_3(seen, part.outline);
       if (polygon.size() > 2)
         take({std::move(polygon), part.element, part.shade ? &*part.shade : nullptr, part.corners});
     }

@@ -9,6 +9,7 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 #include "viewer/picture/colour_map.h"
+#include "viewer/picture/space/pixel_painter.h"
 
 namespace hottel {
 namespace {
@@ -123,6 +124,16 @@ void SeenPicture3::for_each_part(std::size_t block, const Paint& paint) const {
 const SeenPicture3::Part* SeenPicture3::at(const Pixel& place) const {
   const auto found = std::ranges::find_if(parts_, [&](const Part& part) { return holds(part.outline, place); });
   return found == parts_.end() ? nullptr : &*found;
+}
+
+PixelValues3 SeenPicture3::values() const {
+  Camera3 size;
+  size.width = width_;
+  size.height = height_;
+  PixelPainter3 painter(paint_, size);
+  for (const Part& part : parts_)
+    painter.add({part.outline, part.element, part.shade ? &*part.shade : nullptr, part.corners});
+  return painter.finished();
 }
 
 Raster SeenPicture3::raster(const ToneCurve* tone) const {

@@ -42,6 +42,8 @@ class SeenPicture3 {
   const std::vector<Part>& parts() const { return parts_; }
   // Nothing where the sky is seen. COST: linear in the parts.
   const Part* at(const Pixel& place) const;
+  // The picture before it is toned, its light as camera_view_3 has it.
+  PixelValues3 values() const;
   // tone: of light; null where the paint has a scale. Throws ContractViolation where it is not so.
   Raster raster(const ToneCurve* tone) const;
 

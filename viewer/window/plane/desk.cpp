@@ -130,7 +130,7 @@ void Desk2::choose_tone() {
   const auto lit = looks_.lit();
   if (has_tone_ || !lit || !shines(lit->light->grid)) return;
   has_tone_ = true;
-  tone_ = first_tone(lit->light->grid.values, lit->light->grid.channels, kEvenLight);
+  tone_ = first_tone(lit->light->grid.values, lit->light->grid.channels, kEvenLight, kUsualTone2);
 }
 
 // Tells what has become of the file.

@@ -184,7 +184,7 @@ std::string Desk2::status() const {
     text += material ? " of " + scene.materials[*material].name : ", opaque and black";
   }
   if (!has_number || result->request.other != looks_.request().other) return text;
-  return text + (is_of_place ? "   mean irradiance " + result->number + " W/m" : "   " + result->number);
+  return text + (is_of_place ? "   mean irradiance " + result->number + " W/m²" : "   " + result->number);
 }
 
 // What light means, with the light under the mouse.
@@ -207,7 +207,7 @@ void Desk2::make_legend() {
   const Tone tone = request_.look == Look2::kFloor ? Tone::kMax : tone_.tone;
   legend_tone_.tone = tone;
   legend_.emplace(ToneCurve(tone, tone_.exposure, grid.values, grid.channels), grid.values, grid.channels,
-                  grid.channels == 2 ? "mean irradiance, solar [W/m]" : "mean irradiance [W/m]");
+                  grid.channels == 2 ? "mean irradiance, solar [W/m²]" : "mean irradiance [W/m²]");
 }
 
 void Desk2::draw_texts(PictureCanvas& canvas) {

@@ -96,9 +96,9 @@ ScenePicture2 bands_of(const LiveState2& state) {
   }
   const double most = largest_radiosity(solution);
   colouring.scale = most > 0 ? ColourScale{1e-3 * most, most, true} : ColourScale{0, 1, false};
-  colouring.title = solution.channels.size() == 2  ? "radiosity, mean of both bands [W/m]"
-                    : solution.channels.size() > 1 ? "radiosity, mean of r, g, b [W/m]"
-                                                   : "radiosity [W/m]";
+  colouring.title = solution.channels.size() == 2  ? "radiosity, mean of both bands [W/m²]"
+                    : solution.channels.size() > 1 ? "radiosity, mean of r, g, b [W/m²]"
+                                                   : "radiosity [W/m²]";
   picture.colouring = std::move(colouring);
   return picture;
 }

@@ -148,7 +148,7 @@ void Desk3::choose_tone() {
   needs_base_ = needs_base_ || shines || !has_outlines_;
   has_outlines_ = !shines || is_nearly_even(light.values, light.channels, kEvenForms);
   if (!shines) return;
-  const ToneChoice choice = first_tone(light.values, light.channels, kEvenLight);
+  const ToneChoice choice = first_tone(light.values, light.channels, kEvenLight, kUsualTone3);
   has_tone_ = true;
   tone_ = choice.tone;
   exposure_ = choice.exposure;

@@ -188,7 +188,7 @@ class Desk3 : public Desk {
   std::shared_ptr<const LookResult3> result_;  // of its request
   LiveVersion3::Ptr asked_of_;                 // the version that what is looked at was last asked of
   Background looking_;
-  Tone tone_ = Tone::kLog;
+  Tone tone_ = kUsualTone3;
   double exposure_ = 1, split_ = 0.5;
   bool has_tone_ = false;      // chosen for the first light, or by hand
   bool has_outlines_ = false;  // the same

@@ -28,7 +28,6 @@ constexpr std::array<const char*, kLooks3> kWords{"light",  "radiosity", "irradi
 
 constexpr auto kBetweenSweeps = std::chrono::milliseconds(100);
 constexpr double kDecades = 1e-4;  // least over largest factor of the scale
-constexpr const char* kUnit = "W/m\xC2\xB2";
 
 // All digits of a double.
 std::string digits(double value) { return fmt::format("{:.17g}", value); }
@@ -39,7 +38,7 @@ const char* guarantee_word(Guarantee guarantee) {
 
 void add_quantity(Quantity quantity, LookResult3& result) {
   const LiveVersion3& of = *result.version;
-  result.shown = shown_values({.quantity = quantity}, of.scene(), of.factors()->matrix, *of.radiosities(), kUnit);
+  result.shown = shown_values({.quantity = quantity}, of.scene(), of.factors()->matrix, *of.radiosities());
 }
 
 // By elements: what their whole polygons get.

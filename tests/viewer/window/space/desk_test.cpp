@@ -166,7 +166,7 @@ TEST(Desk3, ShowsTheLightOfTheSceneAtRest) {
     EXPECT_EQ(light.elements[i].radiosity, fresh.radiosities()->channels[0].elements[i].radiosity);
   const ElementPaint3 paint = light_paint_3(scene, *fresh.radiosities());
   const LiveModel3 model(*fresh.prepared());
-  const ToneCurve tone(Tone::kLog, 1, paint.values, paint.channels);
+  const ToneCurve tone(kUsualTone3, 1, paint.values, paint.channels);
   const Raster raster =
       SeenPicture3({model.prepared, model.table(), paint, &model.mesh}, hand.desk->camera().camera({400, 300}))
           .raster(&tone);
@@ -434,9 +434,9 @@ TEST(Desk3, ShowsTheFormWhereNothingShines) {
   EXPECT_FALSE(hand.desk->has_outlines());
 }
 
-TEST(Desk3, ALampIsSeenThroughTheLogarithm) {
+TEST(Desk3, ALampIsSeenThroughTheUsualCurve) {
   Hand hand;
-  EXPECT_EQ(hand.desk->tone(), Tone::kLog);
+  EXPECT_EQ(hand.desk->tone(), Tone::kReinhard);
   EXPECT_EQ(hand.desk->exposure(), 1);
   EXPECT_FALSE(hand.desk->has_outlines());
   hand.play("key f4\nkey x");

@@ -1,0 +1,148 @@
+// Pictures of gathered light: against a point for every pixel, along edges of rooms, and what is refused.
+#include "viewer/picture/space/gathered_view.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "io/scene/scene_json.h"
+#include "kernel/support/failure.h"
+#include "kernel/support/parallel.h"
+#include "solver/space/simulation/simulation.h"
+#include "viewer/picture/space/gathered_source.h"
+#include "viewer/picture/space/render_picture.h"
+
+namespace hottel::gathered_view_test {
+namespace {
+
+Simulation3 solved(const std::string& file, std::uint32_t elements) {
+  Scene3 scene = read_scene_3(std::string(HOTTEL_SOURCE_DIR) + "/scenes/" + file);
+  for (Surface& surface : scene.surfaces) surface.elements = elements;
+  return Simulation3(std::move(scene), {.factors = {.granularity = Granularity::kElement, .tolerance = 1e-4}});
+}
+
+// A solved scene with all that its gathered light is made of.
+struct Ready {
+  explicit Ready(const Simulation3& simulation)
+      : solution(simulation.radiosities()),
+        prepared(simulation.prepared()),
+        paint(light_paint_3(prepared->scene, *solution)),
+        source(*prepared, Granularity::kElement, *solution, {}, *simulation.light_shares()) {}
+
+  GatheredScene3 scene() const { return source.scene(paint); }
+
+  std::shared_ptr<const RadiositySolution> solution;
+  std::shared_ptr<const PreparedScene3> prepared;
+  ElementPaint3 paint;
+  GatheredSource3 source;
+};
+
+StepsBetween3 steps_of(const ToneCurve& tone) {
+  return [&tone](std::span<const double> a, std::span<const double> b) {
+    const Colour p = tone(a), q = tone(b);
+    return 255 * std::max({std::fabs(p.r - q.r), std::fabs(p.g - q.g), std::fabs(p.b - q.b)});
+  };
+}
+
+// What is interpolated is off by less than half a step but for some pixels, most of them at edges, where light changes
+// within a pixel and one point does not tell it.
+TEST(GatheredView3, IsFullSamplingWithinHalfAStepAsARule) {
+  for (const auto& [file, elements] : {std::pair("space/cornell_box.json", 2), std::pair("space/two_boxes.json", 3)}) {
+    const Ready ready(solved(file, static_cast<std::uint32_t>(elements)));
+    const Camera3 camera = camera_of_scene(*ready.prepared, 80);
+    const Gathering3 sampled = sampled_view_3(ready.scene(), camera);
+    const ToneCurve tone(Tone::kReinhard, 1, sampled.pixels.values, sampled.pixels.channels);
+    const Gathering3 gathered = gathered_view_3(ready.scene(), camera, steps_of(tone), 1);
+    EXPECT_LT(gathered.points, 3 * sampled.points);
+    double sum = 0;
+    int over = 0, all = 0;
+    for (std::uint32_t y = 0; y < camera.height; ++y)
+      for (std::uint32_t x = 0; x < camera.width; ++x, ++all) {
+        const double off = steps_of(tone)(gathered.pixels.at(x, y), sampled.pixels.at(x, y));
+        sum += off;
+        over += off > 0.5 ? 1 : 0;
+      }
+    EXPECT_LT(sum / all, 0.3) << file;
+    EXPECT_LT(over, 0.15 * all) << file;
+  }
+}
+
+TEST(GatheredView3, DoesNotDependOnThreads) {
+  const Ready ready(solved("space/cube.json", 2));
+  const Camera3 camera = camera_of_scene(*ready.prepared, 40);
+  const auto view = [&] {
+    return gathered_view_3(
+        ready.scene(), camera,
+        [](std::span<const double> a, std::span<const double> b) { return std::fabs(a[0] - b[0]); }, 0.01);
+  };
+  const Gathering3 by_all = view();
+  const ThreadLimit one(1);
+  EXPECT_EQ(view().pixels.values, by_all.pixels.values);
+}
+
+// How much light bends from one point to the next of many along a line, at most, as a part of itself: where it jumps,
+// by the jump.
+double largest_bend(const GatheredLight3& light, const Face& side, const Point3& from, const Point3& to) {
+  constexpr int kParts = 300;
+  std::vector<double> values, here(light.channels());
+  for (int k = 1; k < kParts; ++k) {
+    const Rational t(k, kParts);
+    light.irradiance({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y), from.z + t * (to.z - from.z)}, side,
+                     here);
+    values.push_back(here[0]);
+  }
+  double most = 0;
+  for (std::size_t k = 2; k < values.size(); ++k)
+    most = std::max(most, std::fabs(values[k] - 2 * values[k - 1] + values[k - 2]) / values[k - 1]);
+  return most;
+}
+
+// Along the foot of a wall, a ten-thousandth of its height above the floor, whose elements would make steps there. A
+// step of 256 is about a hundredth of the light.
+TEST(GatheredView3, HasNoStepsAlongEdges) {
+  const Simulation3 simulation = solved("space/cornell_box.json", 4);
+  const Ready ready(simulation);
+  const GatheredLight3 with_steps(*ready.prepared, Granularity::kElement, *ready.solution);
+  const auto& surfaces = simulation.scene().surfaces;
+  const auto back = std::ranges::find(surfaces, "back", &Surface::name) - surfaces.begin();
+  ASSERT_LT(back, static_cast<std::ptrdiff_t>(surfaces.size()));
+  const std::uint32_t piece = simulation.prepared()->arrangement().pieces_on(static_cast<std::uint32_t>(back))[0];
+  const Rational above(5588, 100'000), depth(5592, 10);
+  const Point3 from{Rational(20), above, depth}, to{Rational(520), above, depth};
+  EXPECT_GT(largest_bend(with_steps, {piece, false}, from, to), 0.1);
+  EXPECT_LT(largest_bend(ready.source.light(), {piece, false}, from, to), 0.008);
+}
+
+TEST(GatheredView3, ShowsNumbersOfPoints) {
+  const Simulation3 simulation = solved("space/cube.json", 1);
+  const auto solution = simulation.radiosities();
+  const ElementRadiosity& element = solution->channels[0].elements[0];
+  std::vector<double> irradiance;
+  for (const ChannelSolution& channel : solution->channels) irradiance.push_back(channel.elements[0].irradiance);
+  const auto mean = [&](double ElementRadiosity::*of) {
+    double sum = 0;
+    for (const ChannelSolution& channel : solution->channels) sum += channel.elements[0].*of;
+    return sum / static_cast<double>(irradiance.size());
+  };
+  double value = 0;
+  responses_3(shown_by("irradiance"), *solution).value(0, irradiance, std::span(&value, 1));
+  EXPECT_DOUBLE_EQ(value, mean(&ElementRadiosity::irradiance));
+  responses_3(shown_by("radiosity"), *solution).value(0, irradiance, std::span(&value, 1));
+  EXPECT_NEAR(value, mean(&ElementRadiosity::radiosity), 1e-12 * element.radiosity);
+  responses_3(shown_by("net"), *solution).value(0, irradiance, std::span(&value, 1));
+  EXPECT_NEAR(value, mean(&ElementRadiosity::radiosity) - mean(&ElementRadiosity::irradiance), 1e-12);
+  EXPECT_THROW(responses_3(shown_by("sky"), *solution), UsageError);
+}
+
+TEST(GatheredView3, IsOfPixels) {
+  const Simulation3 simulation = solved("space/cube.json", 1);
+  const RenderedView3 view(*simulation.prepared(), Granularity::kElement, *simulation.radiosities(),
+                           {.wanted_width = 40, .shading = Shading::kGathered});
+  EXPECT_FALSE(view.file(PictureFormat::kPng).empty());
+  EXPECT_THROW(view.file(PictureFormat::kSvg), UsageError);
+}
+
+}  // namespace
+}  // namespace hottel::gathered_view_test

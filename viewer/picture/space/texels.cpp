@@ -1,0 +1,71 @@
+#include "viewer/picture/space/texels.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/name.h"
+#include "kernel/support/failure.h"
+#include "kernel/support/parallel.h"
+#include "kernel/support/progress_count.h"
+#include "kernel/support/stopwatch.h"
+#include "viewer/picture/space/seen_sides.h"
+
+namespace hottel {
+namespace {
+
+// The side of a piece on which a face has a point of its plane.
+std::optional<Face> side_at(const Arrangement3& arrangement, const Face& face, const Point3& point) {
+  for (const PieceSide3& side : arrangement.sides(face)) {
+    const Piece3& piece = arrangement.pieces()[side.piece];
+    const Piece3::Side& own = piece.side(side.is_back);
+    const auto holds = [&point](const Polygon3& polygon) { return contains(polygon, point); };
+    const bool is_there =
+        own.cover == Piece3::Cover::kFree ? holds(piece.polygon) : std::ranges::any_of(own.free, holds);
+    if (is_there) return Face{side.piece, side.is_back};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Grid3 texel_grid_3(const Scene3& scene, const Face& face, std::uint32_t nu, std::uint32_t nv) {
+  const Polygon3& polygon = scene.polygons[face.surface];
+  if (polygon.is_nearly_plane)
+    throw UsageError("texels are of faces that are plane, and " + quoted_name(scene.surfaces[face.surface].name) +
+                     " is so only nearly");
+  const Point3& first = polygon.points.front();
+  return {first, polygon.points[1] - first, polygon.points.back() - first, nu, nv};
+}
+
+IlluminationGrid3 texels_3(const PreparedScene3& prepared, const GatheredSource3& source, const Face& face,
+                           const Grid3& grid, const std::function<void(double)>& progress) {
+  Stopwatch watch;
+  const SceneLights3 lights(prepared);
+  const std::vector<std::optional<std::uint32_t>> element = elements_of_sides_3(prepared, source.table());
+  IlluminationGrid3 result{grid, static_cast<std::uint32_t>(source.responses().channels), {}};
+  const std::size_t texels = std::size_t{grid.nu} * grid.nv;
+  result.values.assign(texels * result.channels, std::numeric_limits<double>::quiet_NaN());
+  ProgressCount count(progress, texels);
+  parallel_for(
+      texels,
+      [&](std::size_t k) {
+        const Point3 middle = cell_centre(grid, k);
+        const auto side = side_at(prepared.arrangement(), face, middle);
+        if (side && element[side->number()]) {
+          std::vector<double> irradiance(source.light().channels());
+          source.light().irradiance(middle, *side, irradiance);
+          lights.add(middle, normal_of_side_3(prepared, *side), irradiance);
+          source.responses().value(*element[side->number()], irradiance,
+                                   std::span(result.values).subspan(k * result.channels, result.channels));
+        }
+        count.add(1);
+      },
+      4);
+  result.seconds = watch.lap();
+  return result;
+}
+
+}  // namespace hottel
