@@ -389,9 +389,10 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
       ->check(CLI::IsMember({"flat", "smooth", "parents", "gathered"}))
       ->capture_default_str();
   command
-      .add_option("--render", options.render,
-                  "the picture as this file too: .png, .svg or .pdf (in space polygons, sharp at any size), .exr (linear "
-                  "light as floats, in the plane a pixel a cell), or in space .npy: the light of its pixels as numbers")
+      .add_option(
+          "--render", options.render,
+          "the picture as this file too: .png, .svg or .pdf (in space polygons, sharp at any size), .exr (linear "
+          "light as floats, in the plane a pixel a cell), or in space .npy: the light of its pixels as numbers")
       ->type_name("FILE");
   command
       .add_option("--texels", options.texels,

@@ -12,10 +12,11 @@ namespace hottel {
 namespace {
 
 // In the order in which they are said, and the report.
-constexpr std::array<const char*, 15> kNames{
-    "radiosity.csv",         "flux.csv",         "temperature.csv", "radiosity.vtu",   "illumination.npy",
-    "illumination.npy.json", "illumination.exr", "shown.npy",       "shown.npy.json",  "shown.exr",
-    "texels.npy",            "texels.npy.json",  "texels.png",      "illumination.png", "render.png"};
+constexpr std::array<const char*, 15> kNames{"radiosity.csv",    "flux.csv",         "temperature.csv",
+                                             "radiosity.vtu",    "illumination.npy", "illumination.npy.json",
+                                             "illumination.exr", "shown.npy",        "shown.npy.json",
+                                             "shown.exr",        "texels.npy",       "texels.npy.json",
+                                             "texels.png",       "illumination.png", "render.png"};
 
 }  // namespace
 

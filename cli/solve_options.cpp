@@ -60,8 +60,7 @@ void require_render(const SolveOptions& options, const Shown& shown) {
   if (!renders_numbers(options))
     throw UsageError("a picture is written as .png, .svg, .pdf, .exr or .npy, not '" + options.render + "'");
   if (is_exr(options.render)) require_exr("--render " + options.render);
-  if (!shown.is_light())
-    throw UsageError("--render " + options.render + " is linear light: it goes with --show light");
+  if (!shown.is_light()) throw UsageError("--render " + options.render + " is linear light: it goes with --show light");
 }
 
 }  // namespace
