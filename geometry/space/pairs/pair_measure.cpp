@@ -45,6 +45,8 @@ constexpr int kMostCutsAtJumps = 4, kMostCutsAtEnds = 3;
 constexpr std::size_t kMostBetween = 30;
 constexpr double kWorthwhile = 1.2;
 constexpr int kMostCuts = 12, kCutsWhereItFails = 3;
+// Where all that fails a pair is asked once more for these parts of what is allowed.
+constexpr double kCloserShares[] = {0x1p-6, 0x1p-10};
 
 // What is asked of a pair before it is known what is between, and then of each surface between, where these are many.
 constexpr int kFirstQuestions = 3, kQuestionsABody = 20;
@@ -432,7 +434,16 @@ PairMeasure3 PairMeasurer3::measure_set(const PairSetting3& setting, const Patch
   if (!is_mixed || whole.problem.empty() || !may_cut) return whole;
   PairMeasure3 halves = measure_halves(cheaper_halves(setting, i, j, first_met), i, j, request, cuts, first_met);
   const auto rank = [](const PairMeasure3& a) { return std::tuple(a.is_undecided, !a.problem.empty(), a.error); };
-  return rank(halves) < rank(whole) ? halves : whole;
+  PairMeasure3& better = rank(halves) < rank(whole) ? halves : whole;
+  if (better.problem.empty() || better.is_undecided || cuts < kMostCuts) return better;
+  // Ends of pieces that are told well enough for the measure may be too far off for the residual.
+  for (const double part : kCloserShares) {
+    PairRequest3 closer = request;
+    closer.share = *request.share * part;
+    PairMeasure3 again = measure_along(setting, i, j, closer, nullptr);
+    if (again.problem.empty()) return again;
+  }
+  return better;
 }
 
 std::size_t PairMeasurer3::count_between(const Patch3& i, const Patch3& j) const {
