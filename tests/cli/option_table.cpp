@@ -731,7 +731,7 @@ const std::vector<OptionEntry>& option_entries() {
        "hottel solve $Q --grid 2x2 -o out; ls out",
        {{"hottel solve $Q -o out --exr --no-illumination", "excludes"},
         {"hottel solve $C -o out --exr", "--exr is of light on a grid"},
-        {"hottel solve $C -o out --show net --render a.exr", "--render FILE.exr is linear light"}}},
+        {"hottel solve $C -o out --show net --render a.exr", "--render a.exr is linear light"}}},
       {"solve", "--tone", "hottel solve $Q --grid 9x9 -o out --tone linear; md5sum out/illumination.png",
        "hottel solve $Q --grid 9x9 -o out; md5sum out/illumination.png"},
       {"solve", "--exposure", "hottel solve $Q --grid 9x9 -o out --exposure 2; md5sum out/illumination.png",

@@ -174,7 +174,7 @@ TEST(SolvePictures, WhatIsNotThereIsRefused) {
           std::pair{"--show net --tone linear", "--tone and --exposure are of --show light"},
           std::pair{"--show sky --channel r", "--channel goes with --show radiosity, irradiance or net"},
           std::pair{"--channel r", "--channel goes with"}, std::pair{"--show net --channel r", "has one channel"},
-          std::pair{"--render room.gif", "a picture is written as .png, .svg, .pdf or .exr"},
+          std::pair{"--render room.gif", "a picture is written as .png, .svg, .pdf, .exr or .npy"},
           std::pair{"--render x.svg --no-picture", "excludes"}}) {
       const Outcome outcome = place.run(std::string("hottel solve ") + scene + " -o out " + options);
       EXPECT_EQ(outcome.code, 2) << scene << ' ' << options << '\n' << outcome.err;
