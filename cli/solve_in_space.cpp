@@ -47,7 +47,7 @@
 namespace hottel {
 namespace {
 
-// What is asked of the cells of a grid.
+// Throws UsageError where an option is about the cells of a grid and the scene has no grid.
 void require_grid(const SolveOptions& options, const Scene3& scene) {
   if (options.exr) require_exr("--exr");
   if (!options.views.empty()) require_sense_of_views(options.views, options.illumination);

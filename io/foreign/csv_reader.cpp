@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 
+#include "geometry/name.h"
 #include "kernel/support/trimmed.h"
 
 namespace hottel {
@@ -136,6 +138,12 @@ bool CsvReader::next() {
     if (text_[at_++] != dialect_.separator)
       throw InputError({file_, line_}, "a comma or a line end must follow a quoted field");
   }
+}
+
+Rational exact_number(std::string_view field, const FileLine& where) {
+  const std::optional<Rational> number = parse_rational(field);
+  if (!number) throw InputError(where, quoted_name(field) + " is no number: an integer, a decimal or p/q");
+  return *number;
 }
 
 }  // namespace hottel

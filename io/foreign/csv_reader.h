@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kernel/rational.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -56,5 +57,8 @@ class CsvReader {
   std::vector<std::string_view> fields_;
   std::vector<std::unique_ptr<std::string>> unquoted_;  // fields of the record that held doubled quotes
 };
+
+// Returns the number of a field, exactly: an integer, a decimal or p/q. Throws InputError for anything else.
+Rational exact_number(std::string_view field, const FileLine& where);
 
 }  // namespace hottel

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "geometry/name.h"
 #include "io/foreign/csv_reader.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/lower_case.h"
@@ -19,12 +18,6 @@ std::string joined(const std::vector<std::string_view>& fields) {
   return line;
 }
 
-Rational number_in(std::string_view field, const FileLine& where) {
-  const std::optional<Rational> number = parse_rational(field);
-  if (!number) throw InputError(where, quoted_name(field) + " is no number: an integer, a decimal or p/q");
-  return *number;
-}
-
 OrientedPoint point_in(const CsvReader& reader, std::size_t dimension) {
   const auto& fields = reader.fields();
   if (fields.size() != 2 * dimension)
@@ -32,8 +25,8 @@ OrientedPoint point_in(const CsvReader& reader, std::size_t dimension) {
                                          std::to_string(fields.size()));
   OrientedPoint result;
   for (std::size_t k = 0; k < dimension; ++k) {
-    result.point[k] = number_in(fields[k], reader.where());
-    result.normal[k] = number_in(fields[dimension + k], reader.where());
+    result.point[k] = exact_number(fields[k], reader.where());
+    result.normal[k] = exact_number(fields[dimension + k], reader.where());
   }
   if (std::ranges::all_of(result.normal, [](const Rational& number) { return number == 0; }))
     throw InputError(reader.where(), "the normal of a point is zero: it looks no way");

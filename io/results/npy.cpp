@@ -6,6 +6,7 @@
 
 #include "kernel/rational.h"
 #include "kernel/support/failure.h"
+#include "solver/radiosity/radiosity_solution.h"
 
 namespace hottel {
 
@@ -55,15 +56,19 @@ void add_shape(const PlanarRegion& region, Json& sidecar) {
   sidecar["region"]["v"] = region.v;
 }
 
+void add_channels(const std::vector<std::string>& channels, Json& sidecar) {
+  sidecar["shape"].push_back(channels.size());
+  sidecar["axes"].push_back("channel");
+  sidecar["channels"] = channels;
+}
+
 template <class Region>
 std::string sidecar_of_light(const Region& region, const std::vector<std::string>& channels, std::string_view way) {
   Json sidecar;
   sidecar["quantity"] = way == "inverse-square" ? "sum of B H / r^2" : "mean irradiance";
   sidecar["illumination"] = way;
   add_shape(region, sidecar);
-  sidecar["shape"].push_back(channels.size());
-  sidecar["axes"].push_back("channel");
-  sidecar["channels"] = channels;
+  add_channels(channels, sidecar);
   return sidecar.dump(2) + "\n";
 }
 
@@ -99,19 +104,17 @@ std::string texel_sidecar(const PlanarRegion& region, const std::string& face,
                           const std::vector<std::string>& channels) {
   Json sidecar;
   sidecar["quantity"] = "radiosity";
-  sidecar["unit"] = "W/m²";
+  sidecar["unit"] = kRadiosityUnit;
   sidecar["face"] = face;
   add_shape(region, sidecar);
-  sidecar["shape"].push_back(channels.size());
-  sidecar["axes"].push_back("channel");
-  sidecar["channels"] = channels;
+  add_channels(channels, sidecar);
   return sidecar.dump(2) + "\n";
 }
 
 std::string pixel_sidecar(std::size_t height, std::size_t width, const std::vector<std::string>& channels) {
   Json sidecar;
   sidecar["quantity"] = "radiosity";
-  sidecar["unit"] = "W/m²";
+  sidecar["unit"] = kRadiosityUnit;
   sidecar["shape"] = {height, width, channels.size()};
   sidecar["order"] = "C";
   sidecar["axes"] = {"y", "x", "channel"};

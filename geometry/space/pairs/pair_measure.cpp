@@ -436,7 +436,7 @@ PairMeasure3 PairMeasurer3::measure_set(const PairSetting3& setting, const Patch
   const auto rank = [](const PairMeasure3& a) { return std::tuple(a.is_undecided, !a.problem.empty(), a.error); };
   PairMeasure3& better = rank(halves) < rank(whole) ? halves : whole;
   if (better.problem.empty() || better.is_undecided || cuts < kMostCuts) return better;
-  // Ends of pieces that are told well enough for the measure may be too far off for the residual.
+  // Ends of pieces may be exact enough for the measure and still too far off for the residual.
   for (const double part : kCloserShares) {
     PairRequest3 closer = request;
     closer.share = *request.share * part;

@@ -1,4 +1,4 @@
-// Angles of arcs in doubles, as plain arithmetic. Internal to geometry/space/exchange.
+// Angles of arcs in doubles, as plain arithmetic. Internal to geometry/space.
 #pragma once
 
 #include <cmath>

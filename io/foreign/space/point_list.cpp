@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 
-#include "geometry/name.h"
 #include "io/foreign/csv_reader.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/lower_case.h"
@@ -18,12 +17,6 @@ bool names_axes(const std::vector<std::string_view>& fields) {
   constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
   return std::ranges::equal(fields, kAxes,
                             [](std::string_view field, const char* axis) { return lower_case(field) == axis; });
-}
-
-Rational coordinate_in(std::string_view field, const FileLine& where) {
-  const std::optional<Rational> number = parse_rational(field);
-  if (!number) throw InputError(where, quoted_name(field) + " is no number: an integer, a decimal or p/q");
-  return *number;
 }
 
 }  // namespace
@@ -45,8 +38,8 @@ std::vector<Point3> read_points_3(std::string_view text, const std::string& name
       throw InputError(reader.where(),
                        "a point in space has three coordinates x,y,z, not " + std::to_string(fields.size()));
     if (is_first && names_axes(fields)) continue;
-    points.push_back({coordinate_in(fields[0], reader.where()), coordinate_in(fields[1], reader.where()),
-                      coordinate_in(fields[2], reader.where())});
+    points.push_back({exact_number(fields[0], reader.where()), exact_number(fields[1], reader.where()),
+                      exact_number(fields[2], reader.where())});
   }
   if (points.empty()) throw InputError({name, 0}, "there is no point in it");
   return points;

@@ -19,28 +19,39 @@ Point3 cell_centre(const Grid3& grid, std::size_t cell) {
           grid.origin.z + s * grid.u.z + t * grid.v.z};
 }
 
+IlluminationGrid3 light_in_cells(const Grid3& grid, std::uint32_t channels,
+                                 const std::function<void(const Point3& centre, std::span<double> light)>& light_at,
+                                 const std::function<void(double)>& progress) {
+  Stopwatch watch;
+  IlluminationGrid3 result{grid, channels, {}};
+  const std::size_t cells = std::size_t{grid.nu} * grid.nv;
+  result.values.assign(cells * channels, std::numeric_limits<double>::quiet_NaN());
+  ProgressCount count(progress, cells);
+  parallel_for(
+      cells,
+      [&](std::size_t cell) {
+        light_at(cell_centre(grid, cell), std::span(result.values).subspan(cell * channels, channels));
+        count.add(1);
+      },
+      4);
+  result.seconds = watch.lap();
+  return result;
+}
+
 IlluminationGrid3 illuminate_points(const PreparedScene3& prepared, Granularity granularity,
                                     const RadiositySolution& solution, const Grid3& grid,
                                     const std::function<void(double)>& progress) {
   Stopwatch watch;
   const SentOut3 sent_out(prepared, granularity, solution);
   const SceneLights3 lights(prepared);
-  IlluminationGrid3 result{grid, static_cast<std::uint32_t>(solution.channels.size()), {}};
-  const std::size_t cells = std::size_t{grid.nu} * grid.nv;
-  result.values.assign(cells * result.channels, std::numeric_limits<double>::quiet_NaN());
-  ProgressCount count(progress, cells);
-  parallel_for(
-      cells,
-      [&](std::size_t cell) {
-        const Point3 centre = cell_centre(grid, cell);
-        if (!prepared.arrangement().solids().around(centre)) {
-          const std::span<double> here(result.values.data() + cell * result.channels, result.channels);
-          sent_out.mean(centre, here);
-          lights.add(centre, here);
-        }
-        count.add(1);
+  IlluminationGrid3 result = light_in_cells(
+      grid, static_cast<std::uint32_t>(solution.channels.size()),
+      [&](const Point3& centre, std::span<double> light) {
+        if (prepared.arrangement().solids().around(centre)) return;
+        sent_out.mean(centre, light);
+        lights.add(centre, light);
       },
-      4);
+      progress);
   result.seconds = watch.lap();
   return result;
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "geometry/element.h"
@@ -30,6 +31,12 @@ struct IlluminationGrid3 {
 
 // Returns the centre of a cell, exactly: cells in the order of IlluminationGrid3.
 Point3 cell_centre(const Grid3& grid, std::size_t cell);
+
+// Returns a grid with what `light_at` writes at the centre of each cell, on all threads; what it leaves is NaN.
+// progress: fraction done; may throw to stop. REQUIRES that cells do not depend on each other.
+IlluminationGrid3 light_in_cells(const Grid3& grid, std::uint32_t channels,
+                                 const std::function<void(const Point3& centre, std::span<double> light)>& light_at,
+                                 const std::function<void(double)>& progress = {});
 
 // Returns the mean irradiance at the centre of each cell: 1/4 pi times the integral over all directions of the
 // radiosity seen there, which is the mean over them; and that of lights, I / (4 r^2) where they reach. [unit: that of

@@ -1,15 +1,12 @@
 #include "viewer/picture/space/texels.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "geometry/name.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/parallel.h"
-#include "kernel/support/progress_count.h"
 #include "kernel/support/stopwatch.h"
 #include "viewer/picture/space/seen_sides.h"
 
@@ -45,25 +42,17 @@ IlluminationGrid3 texels_3(const PreparedScene3& prepared, const GatheredSource3
   Stopwatch watch;
   const SceneLights3 lights(prepared);
   const std::vector<std::optional<std::uint32_t>> element = elements_of_sides_3(prepared, source.table());
-  IlluminationGrid3 result{grid, static_cast<std::uint32_t>(source.responses().channels), {}};
-  const std::size_t texels = std::size_t{grid.nu} * grid.nv;
-  result.values.assign(texels * result.channels, std::numeric_limits<double>::quiet_NaN());
-  ProgressCount count(progress, texels);
-  parallel_for(
-      texels,
-      [&](std::size_t k) {
-        const Point3 middle = cell_centre(grid, k);
+  IlluminationGrid3 result = light_in_cells(
+      grid, static_cast<std::uint32_t>(source.responses().channels),
+      [&](const Point3& middle, std::span<double> light) {
         const auto side = side_at(prepared.arrangement(), face, middle);
-        if (side && element[side->number()]) {
-          std::vector<double> irradiance(source.light().channels());
-          source.light().irradiance(middle, *side, irradiance);
-          lights.add(middle, normal_of_side_3(prepared, *side), irradiance);
-          source.responses().value(*element[side->number()], irradiance,
-                                   std::span(result.values).subspan(k * result.channels, result.channels));
-        }
-        count.add(1);
+        if (!side || !element[side->number()]) return;
+        std::vector<double> irradiance(source.light().channels());
+        source.light().irradiance(middle, *side, irradiance);
+        lights.add(middle, normal_of_side_3(prepared, *side), irradiance);
+        source.responses().value(*element[side->number()], irradiance, light);
       },
-      4);
+      progress);
   result.seconds = watch.lap();
   return result;
 }
