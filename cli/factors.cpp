@@ -12,6 +12,7 @@
 #include "cli/unit_notes.h"
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/exchange/pair_estimate.h"
 #include "geometry/plane/prepared/element_pieces.h"
 #include "io/foreign/plane/foreign_matrix.h"
 #include "io/results/factors_report.h"
@@ -145,7 +146,9 @@ Factors factors_of(const FactorsOptions& options, const Simulation2& simulation,
   return factors;
 }
 
-void factors_in_plane(const FactorsOptions& options, Scene2 scene, Streams& streams) {
+void factors_in_plane(FactorsOptions& options, Scene2 scene, Streams& streams) {
+  const std::vector<CountedFace> faces = counted_faces_2(scene, Granularity::kFace);
+  if (may_take_groups(options, faces)) take_groups_of_many(options, estimated_pairs_2(scene, faces).pairs, streams);
   SimulationRequest2 request = request_of(options, scene);
   const auto picture = options.picture.empty() ? std::nullopt : picture_format(options.picture);
   require_use_of_limits(options);
@@ -155,6 +158,7 @@ void factors_in_plane(const FactorsOptions& options, Scene2 scene, Streams& stre
   if (options.elements.is_given() && options.granularity != "element" && !request.method->works_by_elements())
     streams.note("elements change nothing here: rows are those of whole " + options.granularity +
                  "s; --per element has a row each");
+  const FactorOrigin origin{2, options.method, options.keeps_scene() ? write_scene_2(scene) : ""};
   const Simulation2 simulation(std::move(scene), std::move(request));
 
   FactorsFiles files(options, streams);
@@ -173,7 +177,7 @@ void factors_in_plane(const FactorsOptions& options, Scene2 scene, Streams& stre
   if (files.out)
     naming_file(options.scene, [&] {
       if (options.wants_exact_form) return write_closed_forms(options, prepared, table, *files.out);
-      write_table(options, table, files,
+      write_table(options, table, origin, files,
                   [&](const Sink& sink) { write_faces_csv(table, element_pieces(prepared, table.granularity), sink); });
     });
   files.finish();
@@ -274,7 +278,7 @@ void add_factors(Commands& commands) {
   command.add_option("SCENE", options->scene, "the scene file");
   command
       .add_option("-o", options->out,
-                  "the file to write: .csv .mtx .npy .txt .bin; without it, or with -, csv on standard output")
+                  "the file to write: .csv .mtx .npy .h5 .txt .bin; without it, or with -, csv on standard output")
       ->type_name("FILE");
   command.add_option("--method", options->method, "how to compute, each also as METHOD:normalised" + methods_text())
       ->type_name("METHOD")

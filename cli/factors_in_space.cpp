@@ -7,6 +7,7 @@
 
 #include "cli/deck_requests.h"
 #include "cli/script_f.h"
+#include "geometry/space/exchange/pair_estimate.h"
 #include "geometry/space/exchange/written_outlines.h"
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
@@ -50,7 +51,9 @@ FactorsRequest3 request_in_space(const FactorsOptions& options, const Scene3& sc
 
 }  // namespace
 
-void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams& streams) {
+void factors_in_space(FactorsOptions& options, Scene3 scene, const Streams& streams) {
+  const std::vector<CountedFace> faces = counted_faces_3(scene, Granularity::kFace);
+  if (may_take_groups(options, faces)) take_groups_of_many(options, estimated_pairs_3(scene, faces).pairs, streams);
   require_what_space_has(options);
   const FactorsRequest3 request = request_in_space(options, scene);
   options.elements.apply_to(scene);
@@ -62,6 +65,7 @@ void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams
       !(request.method && request.method->works_by_elements()))
     streams.note("elements change nothing here: rows are those of whole " + options.granularity +
                  "s; --per element has a row each");
+  const FactorOrigin origin{3, options.method, options.keeps_scene() ? write_scene_3(scene) : ""};
   const Simulation3 simulation(std::move(scene), {.factors = request});
 
   FactorsFiles files(options, streams);
@@ -79,7 +83,7 @@ void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams
   if (options.pairs == "facing" || options.matrix == "visibility") table.hidden = *simulation.hidden(streams.stages());
   if (files.out)
     naming_file(options.scene, [&] {
-      write_table(options, table, files, [&](const Sink& sink) {
+      write_table(options, table, origin, files, [&](const Sink& sink) {
         const ElementTable3& elements = *prepared->elements(request.granularity);
         write_faces_csv_3(table, written_outlines(elements, prepared->blockers().vertices()), sink);
       });

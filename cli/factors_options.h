@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "cli/sky_option.h"
 #include "cli/store_option.h"
 #include "cli/streams.h"
+#include "geometry/counted_faces.h"
 #include "geometry/row_choice.h"
 #include "io/results/factor_files.h"
 
@@ -45,11 +47,19 @@ struct FactorsOptions {
   FactorFormat format() const;
   // Whether the pairs that see each other are listed: else all have a place.
   bool lists_pairs() const;
+  // Whether the file holds the scene too.
+  bool keeps_scene() const { return format() == FactorFormat::kHdf5; }
 };
 
 // Throws RequestError where a dense file of so many rows would not fit on its disk. sizes: of all faces, and of those
 // that radiate.
 void require_room_for(const FactorsOptions& options, const std::function<DenseSize(FactorFormat)>& size);
+
+// Sets --per to group, and says so, where a file that holds its scene (.h5) would list more than 10^8 pairs of faces by
+// an estimate, and neither --per nor --rows tells what of them is wanted. pairs: how many see each other, each once.
+void take_groups_of_many(FactorsOptions& options, double pairs, const Streams& streams);
+// Whether that has to be asked.
+bool may_take_groups(const FactorsOptions& options, std::span<const CountedFace> faces);
 
 // The files of a run, opened before the work: a path that cannot be written is found at once.
 struct FactorsFiles {
@@ -74,7 +84,8 @@ void note_matrix(const FactorsOptions& options, const FactorTable& table, const 
 
 // Writes the factors as they are asked for, and what their rows are where the format has a file for that. write_faces:
 // writes FILE.faces.csv of a .mtx. Not for closed forms.
-void write_table(const FactorsOptions& options, const FactorTable& table, FactorsFiles& files,
+void write_table(const FactorsOptions& options, const FactorTable& table, const FactorOrigin& origin,
+                 FactorsFiles& files,
                  const std::function<void(const Sink&)>& write_faces);
 
 }  // namespace hottel

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/files/output_file.h"
 #include "io/results/factor_table.h"
 #include "kernel/root_sum.h"
 
@@ -51,6 +52,20 @@ std::string factors_sidecar(const FactorTable& table);
 void write_factors_view3d_text(const FactorTable& table, const Sink& sink);
 void write_factors_view3d_binary(const FactorTable& table, const Sink& sink);
 
+// What a file that stands for itself says of where its factors are from.
+struct FactorOrigin {
+  int dimension = 2;
+  std::string method;  // exact, or as --method has it
+  std::string scene;   // JSON
+};
+// HDF5: rows in compressed arrays (CSR) of all faces and the sky last, and what tells of them, as docs/hdf5_files.md
+// has it: 13 bytes for each pair that the list has, 29 where bounds are more than neighbouring doubles.
+//
+//   (1) the same table and origin give the same bytes
+//   (2) with only_rows the other rows are empty, and the file says so
+// Throws UsageError where hottel was built without HDF5, OutputError where `out` is no regular file.
+void write_factors_hdf5(const FactorTable& table, const FactorOrigin& origin, const OutputFile& out);
+
 // Dense csv with names in the first row and column, all faces and the sky last: factors, direct exchange areas (needs
 // ExchangeMatrix::measures) or visibilities (NaN where S0 = 0; needs `hidden`).
 enum class DenseQuantity { kFactor, kExchange, kVisibility };
@@ -65,7 +80,7 @@ enum class DenseQuantity { kFactor, kExchange, kVisibility };
 void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sink& sink);
 
 // What factors are written as. View3D's formats and .npy hold every pair, be it visible or not.
-enum class FactorFormat : unsigned char { kCsv, kMtx, kNpy, kView3dText, kView3dBinary };
+enum class FactorFormat : unsigned char { kCsv, kMtx, kNpy, kHdf5, kView3dText, kView3dBinary };
 
 struct FactorFormatRow {
   FactorFormat format;
@@ -75,10 +90,11 @@ struct FactorFormatRow {
   bool is_text;
   const char* beside;  // the ending of a file beside it, which says what its rows are; null: there is none
 };
-inline constexpr std::array<FactorFormatRow, 5> kFactorFormats{
+inline constexpr std::array<FactorFormatRow, 6> kFactorFormats{
     {{FactorFormat::kCsv, ".csv", "", true, true, nullptr},
      {FactorFormat::kMtx, ".mtx", "", true, true, ".faces.csv"},
      {FactorFormat::kNpy, ".npy", "", false, false, ".json"},
+     {FactorFormat::kHdf5, ".h5", "", true, false, nullptr},
      {FactorFormat::kView3dText, ".txt", "View3D", false, true, nullptr},
      {FactorFormat::kView3dBinary, ".bin", "View3D", false, false, nullptr}}};
 const FactorFormatRow& row_of(FactorFormat format);
@@ -91,7 +107,7 @@ struct DenseSize {
   std::uint64_t rows = 0;
   std::uint64_t bytes = 0;
 };
-// Of csv that with --matrix. REQUIRES: not .mtx, which has no such size.
+// Of csv that with --matrix. REQUIRES: neither .mtx nor .h5, which have no such size.
 DenseSize dense_size(const SceneTable& scene, Granularity granularity, FactorFormat format);
 // The same of so many faces, and of so many of them that have a material. (In space a surface has more elements than
 // its table says.)
