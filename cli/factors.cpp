@@ -12,7 +12,6 @@
 #include "cli/unit_notes.h"
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/exchange/exchange.h"
-#include "geometry/plane/exchange/pair_estimate.h"
 #include "geometry/plane/prepared/element_pieces.h"
 #include "io/foreign/plane/foreign_matrix.h"
 #include "io/results/factors_report.h"
@@ -134,7 +133,6 @@ SimulationRequest2 request_of(const FactorsOptions& options, const Scene2& scene
 
 Factors factors_of(const FactorsOptions& options, const Simulation2& simulation, const Streams& streams) {
   Factors factors;
-  simulation.require_closed(streams.stages());
   factors.computed = simulation.factors(streams.stages());
   factors.prepared = simulation.prepared();
   factors.report = {options.scene, options.method, simulation.granularity(), factors.computed->report};
@@ -147,8 +145,6 @@ Factors factors_of(const FactorsOptions& options, const Simulation2& simulation,
 }
 
 void factors_in_plane(FactorsOptions& options, Scene2 scene, Streams& streams) {
-  const std::vector<CountedFace> faces = counted_faces_2(scene, Granularity::kFace);
-  if (may_take_groups(options, faces)) take_groups_of_many(options, estimated_pairs_2(scene, faces).pairs, streams);
   SimulationRequest2 request = request_of(options, scene);
   const auto picture = options.picture.empty() ? std::nullopt : picture_format(options.picture);
   require_use_of_limits(options);
@@ -159,9 +155,12 @@ void factors_in_plane(FactorsOptions& options, Scene2 scene, Streams& streams) {
     streams.note("elements change nothing here: rows are those of whole " + options.granularity +
                  "s; --per element has a row each");
   const FactorOrigin origin{2, options.method, options.keeps_scene() ? write_scene_2(scene) : ""};
-  const Simulation2 simulation(std::move(scene), std::move(request));
+  Simulation2 simulation(std::move(scene), std::move(request));
 
   FactorsFiles files(options, streams);
+  simulation.require_closed(streams.stages());
+  if (takes_groups_of_many(options, simulation.factors(streams.stages())->matrix.entry_count(), streams))
+    simulation = simulation.with_request(request_of(options, simulation.scene()));
   const Factors factors = factors_of(options, simulation, streams);
   const PreparedScene2& prepared = *factors.prepared;
   FactorTable table{prepared.scene, factors.written(), factors.report.granularity, {}, {}};

@@ -7,7 +7,6 @@
 
 #include "cli/deck_requests.h"
 #include "cli/script_f.h"
-#include "geometry/space/exchange/pair_estimate.h"
 #include "geometry/space/exchange/written_outlines.h"
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
@@ -52,10 +51,8 @@ FactorsRequest3 request_in_space(const FactorsOptions& options, const Scene3& sc
 }  // namespace
 
 void factors_in_space(FactorsOptions& options, Scene3 scene, const Streams& streams) {
-  const std::vector<CountedFace> faces = counted_faces_3(scene, Granularity::kFace);
-  if (may_take_groups(options, faces)) take_groups_of_many(options, estimated_pairs_3(scene, faces).pairs, streams);
   require_what_space_has(options);
-  const FactorsRequest3 request = request_in_space(options, scene);
+  FactorsRequest3 request = request_in_space(options, scene);
   options.elements.apply_to(scene);
   require_room_for(options, [&](FactorFormat format) {
     const ElementCounts3 counts = element_counts(scene, request.granularity);
@@ -66,10 +63,14 @@ void factors_in_space(FactorsOptions& options, Scene3 scene, const Streams& stre
     streams.note("elements change nothing here: rows are those of whole " + options.granularity +
                  "s; --per element has a row each");
   const FactorOrigin origin{3, options.method, options.keeps_scene() ? write_scene_3(scene) : ""};
-  const Simulation3 simulation(std::move(scene), {.factors = request});
+  Simulation3 simulation(std::move(scene), {.factors = request});
 
   FactorsFiles files(options, streams);
   simulation.require_closed(streams.stages());
+  if (takes_groups_of_many(options, simulation.factors(streams.stages())->matrix.entry_count(), streams)) {
+    request.granularity = options.per();
+    simulation = simulation.with_request({.factors = request});
+  }
   const auto computed = simulation.factors(streams.stages());
   const auto prepared = simulation.prepared();
   std::optional<GrayFactors> gray;

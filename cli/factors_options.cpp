@@ -13,7 +13,7 @@
 namespace hottel {
 namespace {
 
-constexpr double kMostPairsUnasked = 1e8;
+constexpr std::size_t kMostUnasked = 100'000'000;  // factors in a file that nobody said were wanted
 
 // All file endings: ".csv, .mtx or .txt (View3D)".
 std::string all_endings() {
@@ -84,17 +84,15 @@ void take_rows(const FactorsOptions& options, const Streams& streams, FactorTabl
   streams.note(fmt::format("--rows {}: {} of {} rows", options.rows, table.only_rows.size(), all));
 }
 
-bool may_take_groups(const FactorsOptions& options, std::span<const CountedFace> faces) {
+bool takes_groups_of_many(FactorsOptions& options, std::size_t factors, const Streams& streams) {
   const bool is_told = options.per_option->count() > 0 || !options.rows.empty() || options.granularity != "face";
-  return options.keeps_scene() && !is_told && 2 * pair_counts(faces).pairs > kMostPairsUnasked;
-}
-
-void take_groups_of_many(FactorsOptions& options, double pairs, const Streams& streams) {
-  if (2 * pairs <= kMostPairsUnasked) return;
+  if (is_told || options.wants_exact_form || !options.keeps_scene() || factors <= kMostUnasked) return false;
   options.granularity = "group";
-  streams.note(fmt::format("{} would list about {:.1g} factors: it has groups instead, a row for each polyline or mesh; "
-                           "--per face lists all, --rows NAME some",
-                           options.out, 2 * pairs));
+  streams.note(
+      fmt::format("{} would list {} factors of faces: it has groups instead, a row for each polyline or mesh; "
+                  "--per face lists all, --rows NAME some",
+                  options.out, factors));
+  return true;
 }
 
 FactorsFiles::FactorsFiles(const FactorsOptions& options, const Streams& streams) {
@@ -121,8 +119,7 @@ void note_matrix(const FactorsOptions& options, const FactorTable& table, const 
 }
 
 void write_table(const FactorsOptions& options, const FactorTable& table, const FactorOrigin& origin,
-                 FactorsFiles& files,
-                 const std::function<void(const Sink&)>& write_faces) {
+                 FactorsFiles& files, const std::function<void(const Sink&)>& write_faces) {
   const Sink sink = [&files](std::string_view text) { files.out->write(text); };
   if (!options.matrix.empty()) {
     write_dense_csv(table,

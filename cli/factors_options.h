@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -14,9 +13,9 @@
 #include "cli/sky_option.h"
 #include "cli/store_option.h"
 #include "cli/streams.h"
-#include "geometry/counted_faces.h"
 #include "geometry/row_choice.h"
 #include "io/results/factor_files.h"
+#include "io/results/factor_hdf5.h"
 
 namespace hottel {
 
@@ -55,11 +54,9 @@ struct FactorsOptions {
 // that radiate.
 void require_room_for(const FactorsOptions& options, const std::function<DenseSize(FactorFormat)>& size);
 
-// Sets --per to group, and says so, where a file that holds its scene (.h5) would list more than 10^8 pairs of faces by
-// an estimate, and neither --per nor --rows tells what of them is wanted. pairs: how many see each other, each once.
-void take_groups_of_many(FactorsOptions& options, double pairs, const Streams& streams);
-// Whether that has to be asked.
-bool may_take_groups(const FactorsOptions& options, std::span<const CountedFace> faces);
+// Sets --per to group, and says so, where a file that holds its scene (.h5) would list more than 10^8 factors of faces,
+// and neither --per nor --rows tells what of them is wanted. Returns whether it did.
+bool takes_groups_of_many(FactorsOptions& options, std::size_t factors, const Streams& streams);
 
 // The files of a run, opened before the work: a path that cannot be written is found at once.
 struct FactorsFiles {
@@ -85,7 +82,6 @@ void note_matrix(const FactorsOptions& options, const FactorTable& table, const 
 // Writes the factors as they are asked for, and what their rows are where the format has a file for that. write_faces:
 // writes FILE.faces.csv of a .mtx. Not for closed forms.
 void write_table(const FactorsOptions& options, const FactorTable& table, const FactorOrigin& origin,
-                 FactorsFiles& files,
-                 const std::function<void(const Sink&)>& write_faces);
+                 FactorsFiles& files, const std::function<void(const Sink&)>& write_faces);
 
 }  // namespace hottel

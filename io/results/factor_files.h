@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "io/files/output_file.h"
 #include "io/results/factor_table.h"
 #include "kernel/root_sum.h"
 
@@ -51,20 +50,6 @@ std::string factors_sidecar(const FactorTable& table);
 // says, and with only_columns these are shorter: what reads the whole then sees that it has a part.
 void write_factors_view3d_text(const FactorTable& table, const Sink& sink);
 void write_factors_view3d_binary(const FactorTable& table, const Sink& sink);
-
-// What a file that stands for itself says of where its factors are from.
-struct FactorOrigin {
-  int dimension = 2;
-  std::string method;  // exact, or as --method has it
-  std::string scene;   // JSON
-};
-// HDF5: rows in compressed arrays (CSR) of all faces and the sky last, and what tells of them, as docs/hdf5_files.md
-// has it: 13 bytes for each pair that the list has, 29 where bounds are more than neighbouring doubles.
-//
-//   (1) the same table and origin give the same bytes
-//   (2) with only_rows the other rows are empty, and the file says so
-// Throws UsageError where hottel was built without HDF5, OutputError where `out` is no regular file.
-void write_factors_hdf5(const FactorTable& table, const FactorOrigin& origin, const OutputFile& out);
 
 // Dense csv with names in the first row and column, all faces and the sky last: factors, direct exchange areas (needs
 // ExchangeMatrix::measures) or visibilities (NaN where S0 = 0; needs `hidden`).

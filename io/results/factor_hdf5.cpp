@@ -1,11 +1,11 @@
-// View factors as an HDF5 file: rows in compressed arrays, and all that tells what they are.
+#include "io/results/factor_hdf5.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <vector>
 
 #include "geometry/unit_of_length.h"
 #include "io/files/hdf5.h"
-#include "io/results/factor_files.h"
 #include "io/results/listed_factors.h"
 #include "kernel/version.h"
 #include "kernel/written_double.h"

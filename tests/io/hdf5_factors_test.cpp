@@ -13,7 +13,7 @@
 #include "io/files/hdf5.h"
 #include "io/files/text_file.h"
 #include "io/foreign/foreign_file.h"
-#include "io/results/factor_files.h"
+#include "io/results/factor_hdf5.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "tests/io/listed_in_hdf5.h"

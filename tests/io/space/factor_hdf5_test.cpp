@@ -6,7 +6,7 @@
 #include "geometry/space/exchange/exchange.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "io/files/text_file.h"
-#include "io/results/factor_files.h"
+#include "io/results/factor_hdf5.h"
 #include "io/scene/scene_json.h"
 #include "tests/io/listed_in_hdf5.h"
 #include "tests/temporary_folder.h"
