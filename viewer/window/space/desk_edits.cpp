@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,6 +32,32 @@ constexpr std::array<Rational Point3::*, 3> kCoordinatesOf{&Point3::x, &Point3::
 std::size_t axis_across(const Vector3& normal) {
   const std::array<Rational, 3> size{abs(normal.x), abs(normal.y), abs(normal.z)};
   return static_cast<std::size_t>(std::ranges::max_element(size) - size.begin());
+}
+
+bool is_between(const Scene3& scene, const std::vector<std::uint32_t>& surfaces, const Point3& place,
+                Rational Point3::*axis) {
+  bool has_below = false, has_above = false;
+  for (const std::uint32_t s : surfaces)
+    for (const Point3& p : scene.polygons[s].points) {
+      has_below = has_below || p.*axis <= place.*axis;
+      has_above = has_above || p.*axis >= place.*axis;
+    }
+  return has_below && has_above;
+}
+
+// Whether a place lies in the box around all groups and bodies in which an edit has changed a polygon.
+bool is_in_box_of_changes(const Scene3& before, const Scene3& edited, const Point3& place) {
+  std::set<std::string> changed;
+  const auto body_of = [&](std::uint32_t s) {
+    const Group& group = edited.groups[edited.surfaces[s].group];
+    return group.body.empty() ? group.name : group.body;
+  };
+  std::vector<std::uint32_t> surfaces;
+  for (std::uint32_t s = 0; s < edited.polygons.size(); ++s)
+    if (s >= before.polygons.size() || before.polygons[s] != edited.polygons[s]) changed.insert(body_of(s));
+  for (std::uint32_t s = 0; s < edited.polygons.size(); ++s)
+    if (changed.contains(body_of(s))) surfaces.push_back(s);
+  return std::ranges::all_of(kCoordinatesOf, [&](auto axis) { return is_between(edited, surfaces, place, axis); });
 }
 
 // "z 15": an axis and degrees.
@@ -266,9 +293,11 @@ void Desk3::keep_picked(const Scene3& before) {
 
 // Why an edited scene may not be so: the eye would be in a solid.
 std::string Desk3::why_not_stand(const Scene3& edited) const {
+  const Point3 eye = camera_.camera(size_).eye;
+  if (!is_in_box_of_changes(*scene(), edited, eye)) return "";
   try {
     const Solids3 solids(edited);
-    const auto mesh = solids.around(camera_.camera(size_).eye);
+    const auto mesh = solids.around(eye);
     return mesh ? "the eye would be in the solid " + quoted_name(solids.meshes()[*mesh].name) : "";
   } catch (const InputError&) {
     return "";  // what cannot be a solid is told where the light is

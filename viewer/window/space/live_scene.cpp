@@ -13,8 +13,11 @@ namespace hottel {
 
 namespace {
 
-SimulationRequest3 coarse(SimulationRequest3 request) {
-  request.factors = {.method = methods_3().make(kCoarseMethod3), .granularity = Granularity::kElement};
+constexpr std::size_t kSoonLit = 200;  // polygons of which coarse light is there as soon as a frame of them is drawn
+
+SimulationRequest3 coarse(SimulationRequest3 request, const std::string& method) {
+  request.factors = {.granularity = Granularity::kElement};
+  if (!method.empty()) request.factors.method = methods_3().make(method);
   return request;
 }
 
@@ -28,12 +31,12 @@ Scene3 undivided(Scene3 scene) {
 
 }  // namespace
 
+std::string coarse_method_3(std::size_t polygons) {
+  return polygons <= 64 ? "points:2" : polygons <= 1500 ? "points:1" : "";
+}
+
 LiveScene3::LiveScene3(SimulationRequest3 request, std::function<void()> changed)
-    : request_(std::move(request)),
-      coarse_request_(coarse(request_)),
-      changed_(std::move(changed)),
-      preparing_(changed_),
-      lighting_(changed_) {}
+    : request_(std::move(request)), changed_(std::move(changed)), preparing_(changed_), lighting_(changed_) {}
 
 void LiveScene3::look_from(const Direction3& eye) {
   eye_ = eye;
@@ -87,13 +90,15 @@ void LiveScene3::set_coarse(std::shared_ptr<const Scene3> scene) {
   preparing_.follow([this, scene = std::move(scene), before = state_.version, shape = shape_, since = Stopwatch()](
                         const StageProgress& progress, const Background::Tell& tell) {
     try {
-      const SceneVersion3 version(std::make_shared<const Scene3>(undivided(*scene)), coarse_request_, changed_);
+      const std::string method = coarse_method_3(scene->polygons.size());
+      const SceneVersion3 version(std::make_shared<const Scene3>(undivided(*scene)), coarse(request_, method),
+                                  changed_);
       const auto show_it = [this, shape](LiveVersion3::Ptr next) {
         return [this, shape, next = std::move(next)] { show(next, shape, true); };
       };
       LiveVersion3::Ptr first = LiveVersion3::first(version, progress, before.get());
-      if (scene->polygons.size() > kMostCoarsePolygons3) return Background::Apply(show_it(std::move(first)));
-      tell(show_it(std::move(first)));
+      if (method.empty()) return Background::Apply(show_it(std::move(first)));
+      if (scene->polygons.size() > kSoonLit) tell(show_it(std::move(first)));
       return Background::Apply(show_it(LiveVersion3::lit(version, since, progress)));
     } catch (const Interrupted&) {
       throw;

@@ -19,11 +19,13 @@ namespace hottel {
 
 // How far the light of a scene is wanted.
 enum class LiveDepth3 : unsigned char {
-  kCoarse,  // of whole polygons, factors by kCoarseMethod3; of more than kMostCoarsePolygons3 the light of before alone
+  kCoarse,  // of whole polygons, factors from a few points of each; of very many polygons the light of before alone
   kFull,    // all of it, as `solve` has it
 };
-inline constexpr const char* kCoarseMethod3 = "points:2";
-inline constexpr std::size_t kMostCoarsePolygons3 = 1500;
+
+// The method of coarse factors of so many polygons, the finest that is there soon: "points:2", of more than 64
+// "points:1", of more than 1500 none (""): then there are no coarse factors.
+std::string coarse_method_3(std::size_t polygons);
 
 // What there is to be looked at, and what runs.
 struct LiveState3 {
@@ -84,7 +86,7 @@ class LiveScene3 {
   void show(LiveVersion3::Ptr version, std::uint64_t shape, bool is_coarse = false);
   void fail(const std::string& problem, std::uint64_t shape);
 
-  const SimulationRequest3 request_, coarse_request_;
+  const SimulationRequest3 request_;
   const std::function<void()> changed_;
   Direction3 eye_;
   std::optional<SceneVersion3> set_;  // the last
