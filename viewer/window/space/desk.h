@@ -118,6 +118,7 @@ class Desk3 : public Desk {
   std::optional<Direction3> surface_at(const Pixel& place) const;
   bool is_on_bar() const;
   void pick(const std::string& name);
+  void unpick();
   void pick(const Face& face);
 
   // Commands.

@@ -135,10 +135,7 @@ void Desk3::drop() {
     return;
   }
   editor_.select_none();
-  picked_.reset();
-  LookRequest3 request = request_;
-  request.face.reset();
-  set_request(std::move(request));
+  unpick();
 }
 
 bool Desk3::material_command(std::string_view name) {

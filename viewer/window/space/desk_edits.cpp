@@ -105,6 +105,14 @@ void Desk3::click() {
   set_request(std::move(request));
 }
 
+// No face is asked about any more.
+void Desk3::unpick() {
+  picked_.reset();
+  LookRequest3 request = request_;
+  request.face.reset();
+  set_request(std::move(request));
+}
+
 // Picks a light, a polygon or a side of it, or a group. Throws UsageError where there is none of that name.
 void Desk3::pick(const std::string& name) {
   const auto light = std::ranges::find(scene()->lights, name, &Light::name);
@@ -114,9 +122,7 @@ void Desk3::pick(const std::string& name) {
   for (std::uint32_t s = 0; s < scene()->surfaces.size(); ++s)
     if (scene()->groups[scene()->surfaces[s].group].name == name) members.push_back(s);
   if (members.size() > 1 && !scene()->find(name)) {
-    LookRequest3 request = request_;
-    request.face.reset();
-    set_request(std::move(request));
+    unpick();
     return editor_.select(std::move(members));
   }
   const Face face = face_of(*scene(), name);
@@ -274,6 +280,7 @@ std::string Desk3::add_between(bool is_box, bool looks_back, std::uint32_t mater
   if (material >= scene()->materials.size()) return "the material is not there any more";
   const Point3 from{n[0], n[1], n[2]}, to{n[3], n[4], n[5]};
   message_ = is_box ? editor_.add_box(from, to, material) : editor_.add_rectangle(from, to, looks_back, material);
+  if (!message_.empty()) unpick();
   scene_changed();
   return message_.empty() ? editor_.refusal() : "";
 }

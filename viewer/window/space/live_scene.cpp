@@ -110,7 +110,8 @@ void LiveScene3::set_coarse(std::shared_ptr<const Scene3> scene) {
 
 // Of one shape light takes the place of none, not the other way round.
 void LiveScene3::show(LiveVersion3::Ptr version, std::uint64_t shape, bool is_coarse) {
-  if (shape < shown_ || (shape == shown_ && state_.is_lit() && !version->is_lit())) return;
+  if (shape < shown_) return;
+  if (shape == shown_ && state_.is_lit() && !version->is_lit()) return;
   shown_ = shape;
   state_.version = std::move(version);
   state_.is_coarse = is_coarse;
