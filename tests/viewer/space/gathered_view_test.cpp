@@ -29,7 +29,7 @@ struct Ready {
       : solution(simulation.radiosities()),
         prepared(simulation.prepared()),
         paint(light_paint_3(prepared->scene, *solution)),
-        source(*prepared, Granularity::kElement, *solution, {}, *simulation.light_shares()) {}
+        source(*prepared, Granularity::kElement, *solution, light_responses_3(*solution), *simulation.light_shares()) {}
 
   GatheredScene3 scene() const { return source.scene(paint); }
 

@@ -302,6 +302,16 @@ Responses3 light_responses_3(const RadiositySolution& solution) {
   return result;
 }
 
+Responses3 irradiance_responses_3(const RadiositySolution& solution) {
+  const std::size_t channels = solution.channels.size(), elements = solution.channels[0].elements.size();
+  Responses3 result{.channels = channels,
+                    .of_light = channels,
+                    .constant = std::vector<double>(elements * channels, 0),
+                    .per_irradiance = std::vector<double>(elements * channels * channels, 0)};
+  for (std::size_t k = 0; k < elements * channels; ++k) result.per_irradiance[k * channels + k % channels] = 1;
+  return result;
+}
+
 void require_gathered_3(const Shown& shown) {
   if (shown.quantity == Quantity::kTemperature || shown.quantity == Quantity::kFactor)
     throw UsageError("light, radiosity, irradiance and net are gathered: temperatures and factors are of elements");

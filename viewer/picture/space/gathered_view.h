@@ -34,6 +34,8 @@ double sent_by_itself_3(const ElementRadiosity& element);
 
 // The radiosity in its channels: emission, and reflectivity times irradiance; of two bands the solar one.
 Responses3 light_responses_3(const RadiositySolution& solution);
+// The irradiance in its channels; of two bands both.
+Responses3 irradiance_responses_3(const RadiositySolution& solution);
 // Throws UsageError for quantities that are not gathered: all but light, radiosity, irradiance and net.
 void require_gathered_3(const Shown& shown);
 // Of light as above; radiosity, irradiance or net by the channel that is asked for, else their mean; of two bands their

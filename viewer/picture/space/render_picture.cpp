@@ -124,7 +124,7 @@ void RenderedView3::add_pixels(const RadiositySolution& solution) {
 
 void RenderedView3::gather(Granularity granularity, const RadiositySolution& solution) {
   const GatheredSource3 source(
-      prepared_, granularity, solution, options_.asked,
+      prepared_, granularity, solution, responses_3(options_.asked, solution),
       options_.light_shares ? std::span<const LightShares>(*options_.light_shares) : std::span<const LightShares>());
   std::optional<SceneLights3> lights;
   if (options_.shown) lights.emplace(prepared_);
