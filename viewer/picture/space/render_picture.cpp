@@ -153,8 +153,7 @@ double RenderedView3::steps_between(const ToneCurve* curve, std::span<const doub
     if (curve != nullptr) return (*curve)(shown);
     return Colour{srgb_from_linear(shown[0]), srgb_from_linear(shown[1]), srgb_from_linear(shown[2])};
   };
-  const Colour p = colour(a), q = colour(b);
-  return 255 * std::max({std::fabs(p.r - q.r), std::fabs(p.g - q.g), std::fabs(p.b - q.b)});
+  return steps_between_3(colour(a), colour(b));
 }
 
 Colour RenderedView3::colour_of(std::span<const double> shown) const {
