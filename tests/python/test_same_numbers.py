@@ -225,6 +225,20 @@ def test_what_grids_in_space_show_is_that_of_the_program(show, tmp_path):
         tmp_path / "illumination.png").read_bytes()
 
 
+def test_each_of_several_grids_in_space_is_that_of_the_program(tmp_path):
+    scene = hottel.read_scene("scenes/space/cube.json").replace(grid=[{"name": "low", **GRID}, {"name": "high", **GRID}])
+    solved(scene, tmp_path, "--illumination", "average", "--contours", "3")
+    simulation = hottel.Simulation(scene)
+    found = simulation.grid(over="high", illumination="average")
+    assert found.values.tobytes() == numpy.load(tmp_path / "illumination-high.npy").tobytes()
+    assert 0 <= found.max_error < 1e-6
+    picture = simulation.picture(over="low", of="grid", illumination="average", contours=3)
+    assert picture.file() == (tmp_path / "illumination-low.png").read_bytes()
+    for options in ({}, {"over": "nowhere"}):
+        with pytest.raises(hottel.UsageError, match="'low', 'high'"):
+            simulation.grid(**options)
+
+
 @pytest.mark.parametrize("ending", ["png", "svg", "pdf"])
 @pytest.mark.parametrize("scene", ["scenes/showcase/apartment.json", "scenes/space/two_boxes.json"])
 def test_pictures_of_light_are_those_of_the_program(scene, ending, tmp_path):
