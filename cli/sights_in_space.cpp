@@ -18,6 +18,7 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/naming_file.h"
 #include "solver/space/simulation/simulation.h"
+#include "viewer/picture/space/event_picture.h"
 
 namespace hottel {
 namespace {
@@ -101,8 +102,9 @@ void require_sense(const EventRequest3& request) {
   if (request.json || request.exact)
     throw UsageError("--events in space writes a .csv or a .vtp: it has neither --json nor --exact");
   const bool is_file = !request.out.empty() && request.out != "-";
-  if (is_file && !request.out.ends_with(".csv") && !request.out.ends_with(".vtp"))
-    throw UsageError("event surfaces are written as .csv or .vtp, not '" + request.out + "'");
+  if (is_file && !request.out.ends_with(".csv") && !request.out.ends_with(".vtp") && !picture_format(request.out))
+    throw UsageError("event surfaces are written as .csv or .vtp, drawn as .png, .svg or .pdf, not '" + request.out +
+                     "'");
 }
 
 void write_events_3(const EventRequest3& request, const Simulation3& simulation, const Streams& streams) {
@@ -115,7 +117,10 @@ void write_events_3(const EventRequest3& request, const Simulation3& simulation,
       for (const Face& face : {from, to}) require_free(*prepared, face);
       const std::vector<EventSurface3> events = event_surfaces(*prepared, from, to);
       const auto sink = [&file](std::string_view text) { file.write(text); };
-      request.out.ends_with(".vtp") ? write_events_vtp(events, sink) : write_events_csv_3(scene, events, sink);
+      if (const auto format = request.out.empty() ? std::nullopt : picture_format(request.out))
+        sink(event_picture_3(scene, to, events, *format));
+      else
+        request.out.ends_with(".vtp") ? write_events_vtp(events, sink) : write_events_csv_3(scene, events, sink);
       streams.note(events_summary_3(events));
     });
     file.commit();

@@ -25,7 +25,7 @@ struct EventRequest3 {
   bool json = false, exact = false;
 };
 
-// Throws UsageError unless it names two faces, and a file that is a .csv or a .vtp, if any.
+// Throws UsageError unless it names two faces, and a file that is a .csv, a .vtp or a picture, if any.
 void require_sense(const EventRequest3& request);
 
 // Writes the event surfaces between both faces by some of their lines, and says how many there are.

@@ -475,7 +475,7 @@ void add_visibility(Commands& commands) {
   CLI::Option* events = command.add_flag(
       "--events", options->events,
       "the critical lines of the scene; in space with --from A and --to B the surfaces of lines along which what these "
-      "see of each other changes, by some of their lines: csv, or .vtp with -o");
+      "see of each other changes, by some of their lines: csv, with -o also .vtp, or drawn where they meet B");
   CLI::Option* graph = command.add_flag("--graph", options->graph, "all pairs of vertices that see each other");
   CLI::Option* guarantee = options->guarantee.add_to(command, "what a point sees has proven bounds; ");
   for (CLI::Option* other : {points, edge, face, events, graph}) guarantee->excludes(other);
@@ -490,7 +490,8 @@ void add_visibility(Commands& commands) {
   command
       .add_option("-o", options->out,
                   "draw it: .png, .svg or .pdf; the answer in short is on stderr then. With --points the polygons: "
-                  ".csv, .geojson, .wkt or .npz; with --events and --graph a .csv, with --events in space also a .vtp. "
+                  ".csv, .geojson, .wkt or .npz; with --events and --graph a .csv, with --events in space also a .vtp "
+                  "or a drawing. "
                   "Without it, or with -, the answer "
                   "is on standard "
                   "output")

@@ -905,7 +905,7 @@ const std::vector<OptionEntry>& option_entries() {
         {"hottel visibility $C --events", "it goes with --from A and --to B"},
         {"hottel visibility $C --events --from floor --to sky", "--events in space are between two faces"},
         {"hottel visibility $C --events --from floor --to ceiling --json", "it has neither --json nor --exact"},
-        {"hottel visibility $C --events --from floor --to ceiling -o p.png",
+        {"hottel visibility $C --events --from floor --to ceiling -o p.gif",
          "event surfaces are written as .csv or .vtp"},
         {"hottel visibility $S --events --points p.csv", "excludes"},
         {"hottel visibility $S --events -o p.png", "critical lines are written as .csv"},

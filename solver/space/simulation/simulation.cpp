@@ -59,11 +59,11 @@ ComputedFactors3 factors_by(const ExchangeMethod3& method, const PreparedScene3&
   return result;
 }
 
-// What is asked of factors beside visibilities, measures and rows.
-ExchangeRequest request_of(const FactorsRequest3& asked, const std::function<void(double)>& progress) {
+// What is asked of the factors of cells: their bounds are what averages are for.
+ExchangeRequest request_of_cells(const FactorsRequest3& asked, const std::function<void(double)>& progress) {
   return {.granularity = asked.granularity,
           .tolerance = asked.tolerance,
-          .proves = asked.must_be_enclosed,
+          .proves = true,
           .sky = asked.sky,
           .memory = memory_allowed(asked.memory),
           .progress = progress};
@@ -338,7 +338,7 @@ struct Simulation3::Version {
             const auto there = ready->get(progress);
             const auto told = telling("illumination", progress);
             return naming_file_of_pairs(there->scene.file, [&] {
-              return is_average ? average_irradiance(*there, *solution, where, request_of(asked, told))
+              return is_average ? average_irradiance(*there, *solution, where, request_of_cells(asked, told))
                                 : illuminate_points(*there, asked.granularity, *solution, where, told);
             });
           });
