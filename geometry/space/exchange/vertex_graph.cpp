@@ -10,6 +10,8 @@
 #include "geometry/space/scene/scene.h"
 #include "geometry/space/visibility/exact_map.h"
 #include "geometry/space/visibility/sight_finder.h"
+#include "kernel/root_sum.h"
+#include "kernel/rounding.h"
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
 #include "kernel/support/progress_count.h"
@@ -143,6 +145,13 @@ std::vector<VisiblePair3> visibility_graph_3(const PreparedScene3& prepared,
   std::vector<VisiblePair3> result;
   for (const auto& some : pairs) result.insert(result.end(), some.begin(), some.end());
   return result;
+}
+
+double length_between(const Point3& a, const Point3& b) {
+  const Vector3 way = b - a;
+  RootSum root;
+  root.add(1, dot(way, way));
+  return round_quotient(root, RootSum(Rational(1))).number.value;
 }
 
 }  // namespace hottel

@@ -43,4 +43,7 @@ struct VisiblePair3 {
 std::vector<VisiblePair3> visibility_graph_3(const PreparedScene3& prepared,
                                              const std::function<void(double)>& progress = {});
 
+// Returns the double nearest to the distance of two points; infinite beyond the range of doubles.
+double length_between(const Point3& a, const Point3& b);
+
 }  // namespace hottel

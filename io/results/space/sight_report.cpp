@@ -10,8 +10,6 @@
 #include "geometry/space/scene/scene.h"
 #include "io/results/csv_field.h"
 #include "io/results/space/exact_point.h"
-#include "kernel/root_sum.h"
-#include "kernel/rounding.h"
 #include "kernel/support/counted.h"
 #include "kernel/written_double.h"
 
@@ -21,13 +19,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 double told_length(const GraphVertex3& a, const GraphVertex3& b) {
-  const Vector3 way = b.point - a.point;
-  const Rational square = dot(way, way);
-  RootSum root;
-  root.add(1, square);
-  const Rounded length = round_quotient(root, RootSum(Rational(1))).number;
-  require_double(written_double(length), "a length in the visibility graph");
-  return length.value;
+  const double length = length_between(a.point, b.point);
+  require_double(written_double(Rounded{length, 1}), "a length in the visibility graph");
+  return length;
 }
 
 std::string coordinates(const Point3& p, bool is_exact) {
