@@ -47,6 +47,21 @@ JudgedGrid judged(const ForeignGrid& foreign, std::span<const double> exact, con
           grid_sentences(errors, solution.channel_names, place, beyond, grid_reading(found, right))};
 }
 
+// The grid of a scene that a file of light is of: its only one, or the one whose name the file's ends in, as solve
+// writes it: illumination-NAME.npy.
+const Grid3& grid_of_file(const Scene3& scene, const std::string& file) {
+  if (scene.grids.empty())
+    throw InputError({file, 0}, "is light on a grid, and the scene does not say where one lies",
+                     {"\"grid\": {\"origin\": [x, y, z], \"u\": [x, y, z], \"v\": [x, y, z], \"cells\": [nu, nv]}"});
+  if (scene.grids.size() == 1) return scene.grids.front();
+  const std::string stem = std::filesystem::path(file).stem().string();
+  for (const Grid3& grid : scene.grids)
+    if (stem.ends_with("-" + grid.name)) return grid;
+  throw InputError({file, 0},
+                   "is light on one of several grids, and its name does not say which: " + names_of_grids(scene),
+                   {"call it illumination-NAME" + std::filesystem::path(file).extension().string()});
+}
+
 }  // namespace
 
 JudgedGrid judge_grid(const std::string& file, const MethodComparison2& comparison, double beyond) {
@@ -78,13 +93,10 @@ JudgedGrid judge_grid(const std::string& file, const MethodComparison3& comparis
   const ForeignGrid foreign = read_foreign_grid(file);
   require_channels(foreign, solution);
   const PreparedScene3& prepared = comparison.prepared();
-  const std::optional<Grid3>& grid = prepared.scene.grid;
-  if (!grid)
-    throw InputError({file, 0}, "is light on a grid, and the scene does not say where one lies",
-                     {"\"grid\": {\"origin\": [x, y, z], \"u\": [x, y, z], \"v\": [x, y, z], \"cells\": [nu, nv]}"});
-  require_cells(foreign, grid->nu, grid->nv);
-  return judged(foreign, exact_light_on(comparison, *grid).values, solution,
-                {to_doubles(grid->origin), to_doubles(grid->u), to_doubles(grid->v), grid->nu, grid->nv, true}, beyond);
+  const Grid3& grid = grid_of_file(prepared.scene, file);
+  require_cells(foreign, grid.nu, grid.nv);
+  return judged(foreign, exact_light_on(comparison, grid).values, solution,
+                {to_doubles(grid.origin), to_doubles(grid.u), to_doubles(grid.v), grid.nu, grid.nv, true}, beyond);
 }
 
 }  // namespace hottel

@@ -247,8 +247,10 @@ void add_quantity_options(CLI::App& command, FactorsOptions& options) {
       ->needs(script_f);
   options.exact_form_option =
       command
-          .add_option("--exact-form", options.exact_form,
-                      "direct exchange areas as sums of square roots, of A and B or of all pairs")
+          .add_option(
+              "--exact-form", options.exact_form,
+              "direct exchange areas in closed form, of A and B or of all pairs: sums of square roots; in space, of "
+              "rectangles that nothing hides, with arc tangents and logarithms")
           ->expected(0, 3)  // the scene may follow
           ->excludes(matrix)
           ->excludes(script_f)

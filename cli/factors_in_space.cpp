@@ -7,6 +7,7 @@
 
 #include "cli/deck_requests.h"
 #include "cli/script_f.h"
+#include "cli/sights_in_space.h"
 #include "geometry/space/exchange/written_outlines.h"
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
@@ -20,8 +21,8 @@ namespace hottel {
 namespace {
 
 void require_what_space_has(const FactorsOptions& options) {
-  const auto refuse = [](const std::string& option) { throw UsageError(option + " is only for scenes in the plane"); };
-  if (options.wants_exact_form) refuse("--exact-form");
+  if (options.wants_exact_form && options.granularity != "face")
+    throw UsageError("--exact-form in space is of whole faces, --per face, not --per " + options.granularity);
   if (!options.picture.empty())
     throw UsageError(
         "--picture and --toward draw scenes in the plane; in space `hottel solve --show factor:NAME` or "
@@ -66,6 +67,11 @@ void factors_in_space(FactorsOptions& options, Scene3 scene, const Streams& stre
   Simulation3 simulation(std::move(scene), {.factors = request});
 
   FactorsFiles files(options, streams);
+  if (options.wants_exact_form) {
+    write_exact_forms_3(options.exact_form, simulation, streams, *files.out);
+    files.finish();
+    return files.commit();
+  }
   simulation.require_closed(streams.stages());
   if (takes_groups_of_many(options, simulation.factors(streams.stages())->matrix.entry_count(), streams)) {
     request.granularity = options.per();

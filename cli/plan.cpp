@@ -65,8 +65,7 @@ Planned plan_of(const PlanOptions& options, Scene2 scene) {
 
 Planned plan_of(const PlanOptions& options, Scene3 scene) {
   options.elements.apply_to(scene);
-  const std::optional<Grid3> grid = grid_of(scene, options.grid);
-  const std::uint64_t cells = grid ? std::uint64_t{grid->nu} * grid->nv : 0;
+  const std::uint64_t cells = cells_of(grids_of(scene, options.grid));
   Planned result{nullptr, memory_of(options, scene, cells)};
   if (is_had(result.memory))
     result.effects = Simulation3(std::move(scene), {.factors = {.sky = options.sky.in_space()},

@@ -69,11 +69,15 @@ bool read_given(const std::string& file, const ReferenceOptions& options, const 
   return !names_files;
 }
 
-// Divides a scene, and its grid, as asked for.
-template <class AnyScene>
-void change(const ReferenceOptions& options, AnyScene& scene) {
+// Divides a scene, and its grids, as asked for.
+void change(const ReferenceOptions& options, Scene2& scene) {
   options.elements.apply_to(scene);
   if (!options.grid.empty()) scene.grid = grid_of(scene, options.grid);
+}
+
+void change(const ReferenceOptions& options, Scene3& scene) {
+  options.elements.apply_to(scene);
+  if (!options.grid.empty()) scene.grids = grids_of(scene, options.grid);
 }
 
 std::string text_of(const std::string& file, const Scene& scene) {
@@ -104,23 +108,35 @@ std::shared_ptr<const SolvedLight2> light_of(const Simulation2& simulation, cons
   return simulation.scene().grid ? simulation.light(streams.stages()) : nullptr;
 }
 
-std::shared_ptr<const IlluminationGrid3> light_of(const Simulation3& simulation, const Streams& streams) {
-  return simulation.grid() ? simulation.light(streams.stages()) : nullptr;
+// Light on each grid of a scene.
+std::vector<std::shared_ptr<const IlluminationGrid3>> lights_of(const Simulation3& simulation, const Streams& streams) {
+  std::vector<std::shared_ptr<const IlluminationGrid3>> lights;
+  for (const Grid3& grid : simulation.scene().grids) {
+    SimulationRequest3 request = simulation.request();
+    request.light.grid = grid;
+    lights.push_back(simulation.with_request(request).light(streams.stages()));
+  }
+  return lights;
 }
 
-std::optional<ReferenceLight> reference_light(const SolvedLight2* light, const RadiositySolution& solution) {
-  if (light == nullptr) return std::nullopt;
+std::vector<ReferenceLight> reference_lights(const SolvedLight2* light, const RadiositySolution& solution) {
+  if (light == nullptr) return {};
   const IlluminationGrid2& cells = light->grid;
-  return ReferenceLight{{cells.grid.ny, cells.grid.nx, cells.channels},
-                        cells.values,
-                        illumination_sidecar(region_of(cells.grid), solution.channel_names, "point")};
+  return {{"illumination",
+           {cells.grid.ny, cells.grid.nx, cells.channels},
+           cells.values,
+           illumination_sidecar(region_of(cells.grid), solution.channel_names, "point")}};
 }
 
-std::optional<ReferenceLight> reference_light(const IlluminationGrid3* light, const RadiositySolution& solution) {
-  if (light == nullptr) return std::nullopt;
-  return ReferenceLight{{light->grid.nv, light->grid.nu, light->channels},
-                        light->values,
-                        illumination_sidecar(region_of(light->grid), solution.channel_names)};
+std::vector<ReferenceLight> reference_lights(const std::vector<std::shared_ptr<const IlluminationGrid3>>& lights,
+                                             const RadiositySolution& solution) {
+  std::vector<ReferenceLight> result;
+  for (const auto& light : lights)
+    result.push_back({grid_file("illumination", light->grid),
+                      {light->grid.nv, light->grid.nu, light->channels},
+                      light->values,
+                      illumination_sidecar(region_of(light->grid), solution.channel_names)});
+  return result;
 }
 
 SceneReference refer_in_plane(const std::string& name, GivenScene given, const Streams& streams) {
@@ -141,7 +157,7 @@ SceneReference refer_in_plane(const std::string& name, GivenScene given, const S
                                 write_faces_csv(table, element_pieces(*simulation.prepared(), Granularity::kElement),
                                                 sink);
                               },
-                          .light = reference_light(light.get(), *solution)});
+                          .lights = reference_lights(light.get(), *solution)});
 }
 
 SceneReference refer_in_space(const std::string& name, GivenScene given, double tolerance, bool must_be_enclosed,
@@ -154,7 +170,7 @@ SceneReference refer_in_space(const std::string& name, GivenScene given, double 
   const auto prepared = simulation.prepared();
   const auto factors = simulation.factors(streams.stages());
   const auto solution = simulation.radiosities(streams.stages());
-  const auto light = light_of(simulation, streams);
+  const auto lights = lights_of(simulation, streams);
   const FactorTable table{prepared->scene, factors->matrix, Granularity::kElement};
   return scene_reference(name, reference_units_3(prepared->scene), std::move(given.text),
                          {.scene = prepared->scene,
@@ -169,7 +185,7 @@ SceneReference refer_in_space(const std::string& name, GivenScene given, double 
                                 write_faces_csv_3(table, written_outlines(elements, prepared->blockers().vertices()),
                                                   sink);
                               },
-                          .light = reference_light(light.get(), *solution)});
+                          .lights = reference_lights(lights, *solution)});
 }
 
 // The factors of all elements and the radiosities of one scene.

@@ -195,17 +195,25 @@ Grid2 grid_of(const Scene2& scene, const std::string& option) {
   return grid_over(scene, nx, ny);
 }
 
-std::optional<Grid3> grid_of(const Scene3& scene, const std::string& option) {
-  if (option.empty()) return scene.grid;
-  if (!scene.grid)
+std::vector<Grid3> grids_of(const Scene3& scene, const std::string& option) {
+  std::vector<Grid3> grids = scene.grids;
+  if (option.empty()) return grids;
+  if (grids.empty())
     throw UsageError(
         "--grid divides the grid of a scene in space, and this scene has none: add \"grid\": {\"origin\": [x, y, z], "
         "\"u\": [x, y, z], \"v\": [x, y, z], \"cells\": [N, N]} to it, which says where light is wanted");
-  Grid3 grid = *scene.grid;
   const auto [nu, nv] = two_numbers("--grid", "NXxNY", option, kMaxGridCells3);
-  grid.nu = nu;
-  grid.nv = nv;
-  return grid;
+  for (Grid3& grid : grids) {
+    grid.nu = nu;
+    grid.nv = nv;
+  }
+  return grids;
+}
+
+std::uint64_t cells_of(const std::vector<Grid3>& grids) {
+  std::uint64_t cells = 0;
+  for (const Grid3& grid : grids) cells += std::uint64_t{grid.nu} * grid.nv;
+  return cells;
 }
 
 }  // namespace hottel

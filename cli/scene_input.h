@@ -91,9 +91,11 @@ std::array<std::uint32_t, 2> two_numbers(const std::string& option, const std::s
 // The grid of an option --grid, "400x300" cells over the region of the scene's own grid or else of its surfaces;
 // without the option that of default_grid. Throws UsageError for anything but two numbers from 1 to kMaxGridCells.
 Grid2 grid_of(const Scene2& scene, const std::string& option);
-// The same in space: the scene's own grid, with "400x300" cells along u and v where there is an option; nothing where
-// it has none. Throws UsageError for an option where it has none, or for anything but two numbers from 1 to
+// The same in space: the scene's own grids, each with "400x300" cells along u and v where there is an option; none
+// where it has none. Throws UsageError for an option where it has none, or for anything but two numbers from 1 to
 // kMaxGridCells3.
-std::optional<Grid3> grid_of(const Scene3& scene, const std::string& option);
+std::vector<Grid3> grids_of(const Scene3& scene, const std::string& option);
+// How many cells they have together.
+std::uint64_t cells_of(const std::vector<Grid3>& grids);
 
 }  // namespace hottel

@@ -247,6 +247,8 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
   require_shown(request.shown, scene);
   if (options.outlines || options.no_outlines)
     throw UsageError("--outlines and --no-outlines are for scenes in space: in the plane walls are lines");
+  if (!request.shown.is_light() && options.contours > 0)
+    throw UsageError("--contours are of --show light: " + options.show + " is on the faces alone");
   if (options.shading == "gathered") throw UsageError("--shading gathered is for scenes in space");
   if (!options.texels.empty()) throw UsageError("--texels is for scenes in space");
   if (renders_array(options))
@@ -322,12 +324,14 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
       ->capture_default_str();
   command
       .add_option("--grid", options.grid,
-                  "cells of the illumination: over the scene's region; in space of the scene's grid")
+                  "cells of the illumination: over the scene's region; in space of each of the scene's grids")
       ->type_name("NXxNY");
   command
-      .add_option("--illumination", options.illumination,
-                  "point: mean irradiance at cell centres, exact visibility; average: its mean over each cell, in "
-                  "closed form with a proven bound; inverse-square: the source formula")
+      .add_option(
+          "--illumination", options.illumination,
+          "point: mean irradiance at cell centres, exact visibility; average: its mean over each cell, in "
+          "closed form with a proven bound (in space the irradiance of the cell, by view factors); inverse-square: in "
+          "the plane, the source formula")
       ->check(CLI::IsMember({"point", "average", "inverse-square"}))
       ->capture_default_str();
   command
@@ -340,8 +344,10 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
       ->check(positive_number())
       ->capture_default_str();
   command
-      .add_option("--contours", options.contours,
-                  "in the plane: lines of equal light in the picture, about N of them at most, at round levels")
+      .add_option(
+          "--contours", options.contours,
+          "lines of equal light in the picture of the plane or of a grid in space, about N of them at most, at round "
+          "levels; in space of what --show has on a grid too")
       ->type_name("N")
       ->transform(whole_number(1, 100));
   command.add_flag(

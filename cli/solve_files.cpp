@@ -12,11 +12,31 @@ namespace hottel {
 namespace {
 
 // In the order in which they are said, and the report.
-constexpr std::array<const char*, 15> kNames{"radiosity.csv",    "flux.csv",         "temperature.csv",
-                                             "radiosity.vtu",    "illumination.npy", "illumination.npy.json",
-                                             "illumination.exr", "shown.npy",        "shown.npy.json",
-                                             "shown.exr",        "texels.npy",       "texels.npy.json",
-                                             "texels.png",       "illumination.png", "render.png"};
+constexpr std::array<const char*, 17> kNames{"radiosity.csv",
+                                             "flux.csv",
+                                             "temperature.csv",
+                                             "radiosity.vtu",
+                                             "illumination.npy",
+                                             "illumination.npy.json",
+                                             "illumination_error.npy",
+                                             "illumination_error.npy.json",
+                                             "illumination.exr",
+                                             "shown.npy",
+                                             "shown.npy.json",
+                                             "shown.exr",
+                                             "texels.npy",
+                                             "texels.npy.json",
+                                             "texels.png",
+                                             "illumination.png",
+                                             "render.png"};
+
+// Whether a file is of a kind: called so, or of a grid, with its name before the ending.
+bool is_of_kind(const std::string& name, const std::string& kind) {
+  if (name == kind) return true;
+  const std::size_t stem = kind.find('.');
+  const bool is_of_grids = kind.starts_with("illumination") || kind.starts_with("shown");
+  return is_of_grids && name.starts_with(kind.substr(0, stem) + "-") && name.ends_with(kind.substr(stem));
+}
 
 }  // namespace
 
@@ -28,8 +48,9 @@ SolveFiles::SolveFiles(const std::filesystem::path& folder, const SceneTable& sc
       temperature_(has_temperatures(scene) ? &add("temperature.csv") : nullptr),
       report_(folder / "report.json") {}
 
-OutputFile& SolveFiles::add(const std::string& name) {
-  HOTTEL_REQUIRE(std::ranges::find(kNames, name) != kNames.end());
+OutputFile& SolveFiles::add(const std::string& kind, const std::string& name) {
+  HOTTEL_REQUIRE(std::ranges::find(kNames, kind) != kNames.end());
+  names_.emplace_back(kind, name);
   return add_elsewhere(folder_ / name);
 }
 
@@ -59,24 +80,28 @@ void SolveFiles::finish(const SolveOptions& options, const SolveReport& report, 
                folder_.string() + ":" + names() + " report.json" + earlier() + more);
 }
 
-bool SolveFiles::has(const char* name) const {
-  return std::ranges::any_of(own_, [&](const OutputFile& file) { return file.name() == (folder_ / name).string(); });
+bool SolveFiles::has(const std::string& name) const {
+  return std::ranges::any_of(names_, [&](const auto& each) { return each.second == name; });
 }
 
 std::string SolveFiles::names() const {
   std::string names;
-  for (const char* name : kNames)
-    if (has(name)) names += std::string(" ") + name;
+  for (const char* kind : kNames)
+    for (const auto& [its_kind, name] : names_)
+      if (its_kind == kind) names += " " + name;
   return names;
 }
 
 // Files of `hottel solve` that this run did not write.
 std::string SolveFiles::earlier() const {
+  std::vector<std::string> there;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_))
+    there.push_back(entry.path().filename().string());
+  std::ranges::sort(there);
   std::string names;
-  for (const char* name : kNames) {
-    std::error_code ignored;
-    if (!has(name) && std::filesystem::exists(folder_ / name, ignored)) names += std::string(" ") + name;
-  }
+  for (const char* kind : kNames)
+    for (const std::string& name : there)
+      if (!has(name) && is_of_kind(name, kind)) names += " " + name;
   return names.empty() ? names : "\nof an earlier run, and left as it was:" + names;
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/solve_options.h"
@@ -36,8 +37,10 @@ class SolveFiles {
   // Makes the folder where there is none. Throws OutputError, here and below.
   SolveFiles(const std::filesystem::path& folder, const SceneTable& scene);
 
-  // Opens a file of the folder. It stays where it is. REQUIRES one of the names that solve has.
-  OutputFile& add(const std::string& name);
+  // Opens a file of the folder. It stays where it is. REQUIRES one of the names that solve has; of a grid with a name,
+  // with that before the ending: `kind` is the name without it.
+  OutputFile& add(const std::string& kind) { return add(kind, kind); }
+  OutputFile& add(const std::string& kind, const std::string& name);
   // Opens a file that was named by itself.
   OutputFile& add_elsewhere(const std::filesystem::path& file);
   // Takes a file that is open already: it takes its name with the others. REQUIRES that it outlives this.
@@ -50,13 +53,14 @@ class SolveFiles {
               Streams& streams);
 
  private:
-  bool has(const char* name) const;
+  bool has(const std::string& name) const;
   std::string names() const;
   std::string earlier() const;
 
   OutputFolder made_;
   std::filesystem::path folder_;
   std::deque<OutputFile> own_;
+  std::vector<std::pair<std::string, std::string>> names_;  // kinds and names of files of the folder
   std::vector<OutputFile*> files_;
   OutputFile &radiosity_, &flux_;
   OutputFile* temperature_;

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -51,7 +53,11 @@ namespace {
 void require_grid(const SolveOptions& options, const Scene3& scene) {
   if (options.exr) require_exr("--exr");
   if (!options.views.empty()) require_sense_of_views(options.views, options.illumination);
-  if (scene.grid) return;
+  if (!scene.grids.empty()) return;
+  if (options.illumination != SolveOptions().illumination)
+    throw UsageError("--illumination is of light on a grid, and " + options.scene + " has none");
+  if (options.contours > 0)
+    throw UsageError("--contours are lines in the picture of a grid, and " + options.scene + " has none");
   if (options.exr) throw UsageError("--exr is of light on a grid, and " + options.scene + " has none");
   if (!options.views.empty())
     throw UsageError("--views is what the cells of a grid see, and " + options.scene + " has none");
@@ -64,8 +70,10 @@ void require_what_space_has(const SolveOptions& options) {
     if (options.tolerance) throw UsageError("--tolerance is of the method exact only, not of " + options.method);
     options.guarantee.refuse_of_method(options.method);
   }
-  if (options.illumination != usual.illumination) refuse("--illumination");
-  if (options.contours > 0) refuse("--contours");
+  if (options.illumination == "inverse-square") refuse("--illumination inverse-square");
+  if (options.contours > 0 && options.show != usual.show && !is_of_points(shown_by(options.show)))
+    throw UsageError("--contours are of what a grid shows, light, " + words_to_show_at_points() + ", not of " +
+                     options.show);
   if (options.shading == "gathered" && !options.render.empty() && !renders_numbers(options) &&
       picture_format(options.render) != PictureFormat::kPng)
     throw UsageError("gathered light is of pixels: --render writes it as .png, not '" + options.render + "'");
@@ -78,49 +86,69 @@ GridPicture3 grid_picture_of(const SolveOptions& options, const Scene3& scene) {
           .exposure = options.exposure,
           .wanted_width = options.size,
           .has_axes = options.axes,
-          .length_unit = length_unit(scene)};
+          .length_unit = length_unit(scene),
+          .contours = options.contours};
 }
 
-// The files of light on the scene's grid, and of what --show has of it.
+// The files of light on a grid of the scene, and of what --show has of it.
 struct GridFiles {
+  Grid3 grid;
   OutputFile &npy, &sidecar;
+  OutputFile *error_npy = nullptr, *error_sidecar = nullptr;
   OutputFile *shown_npy = nullptr, *shown_sidecar = nullptr, *png = nullptr, *exr = nullptr, *shown_exr = nullptr;
 
-  GridFiles(const SolveOptions& options, const Shown& shown, SolveFiles& files)
-      : npy(files.add("illumination.npy")), sidecar(files.add("illumination.npy.json")) {
-    if (options.exr) exr = &files.add("illumination.exr");
-    if (is_of_points(shown)) {
-      if (options.exr) shown_exr = &files.add("shown.exr");
-      shown_npy = &files.add("shown.npy");
-      shown_sidecar = &files.add("shown.npy.json");
+  GridFiles(const SolveOptions& options, const Shown& shown, const Grid3& where, SolveFiles& files)
+      : grid(where), npy(add("illumination.npy", files)), sidecar(add("illumination.npy.json", files)) {
+    if (options.illumination == "average") {
+      error_npy = &add("illumination_error.npy", files);
+      error_sidecar = &add("illumination_error.npy.json", files);
     }
-    if (!options.no_picture) png = &files.add("illumination.png");
+    if (options.exr) exr = &add("illumination.exr", files);
+    if (is_of_points(shown)) {
+      if (options.exr) shown_exr = &add("shown.exr", files);
+      shown_npy = &add("shown.npy", files);
+      shown_sidecar = &add("shown.npy.json", files);
+    }
+    if (!options.no_picture) png = &add("illumination.png", files);
   }
 
-  // Asks for the light, and for its picture where there is a file for it.
-  void write(const Simulation3& simulation, const Shown& shown, const GridPicture3& how, const Streams& streams,
-             std::map<std::string, double>& seconds) {
+  // Asks for the light, and for its picture where there is a file for it. Returns the largest error of averages.
+  std::optional<double> write(const Simulation3& all, const Shown& shown, const GridPicture3& how,
+                              const Streams& streams, std::map<std::string, double>& seconds) {
+    SimulationRequest3 request = all.request();
+    request.light.grid = grid;
+    const Simulation3 simulation = all.with_request(request);
     const auto light = simulation.light(streams.stages());
-    seconds["illumination"] = light->seconds;
-    const std::size_t shape[3] = {light->grid.nv, light->grid.nu, light->channels};
-    write_npy(shape, light->values, [this](std::string_view bytes) { npy.write(bytes); });
-    const auto channels = simulation.radiosities()->channel_names;
-    const std::string about = illumination_sidecar(region_of(light->grid), channels);
-    sidecar.write(about);
-    if (exr) exr->write(grid_exr({shape[1], shape[0], channels, light->values, kRadiosityUnit, about}));
-    if (shown_npy) return write_shown(simulation, shown, how, streams, seconds);
-    if (!png) return;
-    const auto picture = simulation.picture(streams.stages());
-    seconds["picture"] += picture->seconds;
-    png->write(picture->bytes);
+    seconds["illumination"] += light->seconds;
+    write_light(*light, simulation.radiosities()->channel_names);
+    if (shown_npy) {
+      write_shown(simulation, shown, how, streams, seconds);
+    } else if (png) {
+      const auto picture = simulation.picture(streams.stages());
+      seconds["picture"] += picture->seconds;
+      png->write(picture->bytes);
+    }
+    return light->max_error();
   }
 
  private:
+  OutputFile& add(const std::string& kind, SolveFiles& files) const { return files.add(kind, grid_file(kind, grid)); }
+
+  void write_light(const IlluminationGrid3& light, const std::vector<std::string>& channels) {
+    const std::size_t shape[3] = {grid.nv, grid.nu, light.channels};
+    write_npy(shape, light.values, [this](std::string_view bytes) { npy.write(bytes); });
+    const std::string about = illumination_sidecar(region_of(grid), channels, light.max_error());
+    sidecar.write(about);
+    if (exr) exr->write(grid_exr({shape[1], shape[0], channels, light.values, kRadiosityUnit, about}));
+    if (!error_npy) return;
+    write_npy(std::span(shape).first(2), light.errors, [this](std::string_view bytes) { error_npy->write(bytes); });
+    error_sidecar->write(average_error_sidecar(region_of(grid)));
+  }
+
   // What is shown at the centres of cells, on areas that look along u x v.
   void write_shown(const Simulation3& simulation, const Shown& shown, const GridPicture3& how, const Streams& streams,
                    std::map<std::string, double>& seconds) {
     Stopwatch watch;
-    const Grid3& grid = *simulation.grid();
     const auto solution = simulation.radiosities();
     const std::vector<OrientedLight> lights =
         oriented_lights_on_grid(*simulation.prepared(), simulation.request().factors.granularity, *solution, grid,
@@ -138,6 +166,18 @@ struct GridFiles {
     seconds["picture"] += watch.lap();
   }
 };
+
+// What the cells of a grid see.
+struct GridViews {
+  Grid3 grid;
+  ViewsOutput output;
+};
+
+// FILE.mtx, of a grid with a name FILE-NAME.mtx.
+std::string views_file(const std::string& file, const Grid3& grid) {
+  const std::filesystem::path path(file);
+  return (path.parent_path() / grid_file(path.filename().string(), grid)).string();
+}
 
 // The name of a face and its texels.
 struct TexelChoice {
@@ -253,8 +293,7 @@ PictureView picture_view_of(const RenderedView3& view, const Scene3& scene) {
           !scene.camera.has_value()};
 }
 
-SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) {
-  const std::optional<Grid3> grid = options.no_illumination ? std::nullopt : grid_of(scene, options.grid);
+SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene, const std::vector<Grid3>& grids) {
   const GridPicture3 picture = grid_picture_of(options, scene);
   return {.factors = {.method = options.method == "exact" ? nullptr : all_methods_3().make(options.method),
                       .granularity = is_divided(scene) || options.levels.levels().is_any() ? Granularity::kElement
@@ -265,10 +304,10 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) 
                       .memory = options.memory.value_or(0),
                       .store = options.store.open(options.method)},
           .system = {.solver = solver_of(options, false), .iterations = options.iterations, .until = options.until},
-          .light = {.grid = grid, .painter = options.no_picture ? nullptr : grid_painter_3(picture)},
+          .light = {.painter = options.no_picture ? nullptr : grid_painter_3(picture),
+                    .is_average = options.illumination == "average"},
           .lights = light_test_of(options, scene),
-          .plan = {.everything = options.simulate == "everything",
-                   .grid_cells = grid ? std::uint64_t{grid->nu} * grid->nv : 0}};
+          .plan = {.everything = options.simulate == "everything", .grid_cells = cells_of(grids)}};
 }
 
 }  // namespace
@@ -283,7 +322,8 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   const std::optional<TexelChoice> texel_choice = texels_of(options, scene);
   options.elements.apply_to(scene);
   require_room_for_solving(scene, options.memory, options.levels);
-  const SimulationRequest3 request = request_of(options, scene);
+  const std::vector<Grid3> grids = options.no_illumination ? std::vector<Grid3>() : grids_of(scene, options.grid);
+  const SimulationRequest3 request = request_of(options, scene, grids);
   const Simulation3 simulation =
       refined(Simulation3(std::move(scene), request), options.levels.levels(), streams.stages());
   auto plan = std::make_shared<const Plan>(plan_at_speed(*simulation.plan(), machine_speed()));
@@ -293,17 +333,18 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   const std::filesystem::path directory = output_folder(options.out, options.scene);
   SolveFiles files(directory, simulation.scene());
   OutputFile& vtu = files.add("radiosity.vtu");
-  std::optional<GridFiles> grid;
-  if (const auto& cells = request.light.grid) {
-    require_room_for_light(options, {cells->nu, cells->nv}, channel_count(simulation.scene()), "take a coarser --grid",
+  std::deque<GridFiles> grid_files;
+  for (const Grid3& grid : grids) {
+    require_room_for_light(options, {grid.nu, grid.nv}, channel_count(simulation.scene()), "take a coarser --grid",
                            directory);
-    grid.emplace(options, shown, files);
+    grid_files.emplace_back(options, shown, grid, files);
   }
-  std::optional<ViewsOutput> views;
-  if (!options.views.empty()) {
-    views.emplace(options.views);
-    files.add(views->mtx);
-    files.add(views->faces);
+  std::deque<GridViews> views;
+  for (const Grid3& grid : grids) {
+    if (options.views.empty()) continue;
+    views.push_back({grid, ViewsOutput(views_file(options.views, grid))});
+    files.add(views.back().output.mtx);
+    files.add(views.back().output.faces);
   }
   std::optional<TexelFiles> texels;
   if (texel_choice) texels.emplace(options, *texel_choice, files);
@@ -330,11 +371,15 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   if (dividing->seconds > 0) seconds["dividing"] = dividing->seconds;
   seconds["read"] = seconds_to_read;
   seconds["write"] = watch.lap();
-  if (grid) grid->write(simulation, shown, grid_picture_of(options, simulation.scene()), streams, seconds);
-  if (views)
-    write_views_3(*simulation.prepared(), *simulation.grid(),
+  std::optional<double> max_error;
+  for (GridFiles& each : grid_files)
+    if (const auto error =
+            each.write(simulation, shown, grid_picture_of(options, simulation.scene()), streams, seconds))
+      max_error = std::max(max_error.value_or(0), *error);
+  for (GridViews& each : views)
+    write_views_3(*simulation.prepared(), each.grid,
                   {simulation.scene(), factors->matrix, request.factors.granularity, {}, {}},
-                  options.memory.value_or(0), streams, *views);
+                  options.memory.value_or(0), streams, each.output);
   watch.lap();
   if (texels) {
     texels->write(simulation, shown, grid_picture_of(options, simulation.scene()), streams);
@@ -364,6 +409,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
                            : std::nullopt,
       .picture_range = view ? range_of(view->shown()) : std::nullopt,
       .picture_view = view ? std::optional(picture_view_of(*view, simulation.scene())) : std::nullopt,
+      .illumination_max_error = max_error,
       .insulated = insulated_groups(simulation.scene(), factors->matrix, *solution),
       .given_flux = given_flux_groups(simulation.scene(), factors->matrix, *solution),
       .unit = simulation.scene().unit,
@@ -371,7 +417,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
       .dividing = dividing.get(),
       .warnings = with_unit_note(simulation.scene(), finding_notes(lost_light))};
   files.finish(options, report, solved,
-               (views ? "\nwhat the cells see: " + options.views : "") +
+               (options.views.empty() ? "" : "\nwhat the cells see: " + options.views) +
                    (render != nullptr || numbers ? "\nthe picture: " + options.render : ""),
                streams);
 }

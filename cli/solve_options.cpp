@@ -72,8 +72,6 @@ Shown shown_of(const SolveOptions& options) {
   const SolveOptions usual;
   if (!shown.is_light() && (options.tone || options.exposure != usual.exposure))
     throw UsageError("--tone and --exposure are of --show light: " + options.show + " has a scale");
-  if (!shown.is_light() && options.contours > 0)
-    throw UsageError("--contours are of --show light: " + options.show + " is on the faces alone");
   require_render(options, shown);
   return shown;
 }

@@ -64,7 +64,7 @@ void require_room_for_light(const SolveOptions& options, const std::array<std::u
                             const std::string& advice, const std::filesystem::path& directory);
 
 // What the picture shows, as --show, --channel and --bar ask for it. Throws UsageError for what is not there, and for
-// options of light (--tone, --exposure, --contours) where something else is shown; and, for --render, unless its file
+// options of light (--tone, --exposure) where something else is shown; and, for --render, unless its file
 // is a picture.
 Shown shown_of(const SolveOptions& options);
 

@@ -11,6 +11,7 @@
 #include "cli/points_in_space.h"
 #include "cli/scene_input.h"
 #include "cli/scene_lines.h"
+#include "cli/sights_in_space.h"
 #include "cli/unit_notes.h"
 #include "cli/visibility_in_space.h"
 #include "geometry/plane/check/face_cover.h"
@@ -42,7 +43,7 @@ namespace hottel {
 namespace {
 
 struct VisibilityOptions {
-  std::string scene, at, on, from, to, out, points, range, edge, side = "both";
+  std::string scene, at, on, from, to, out, points, range, edge, face, side = "both";
   bool json = false, exact = false, irradiance = false, events = false, graph = false;
   PolygonOptions polygons;
   GuaranteeOption guarantee;
@@ -113,9 +114,8 @@ void require_sense(const VisibilityOptions& options) {
     throw UsageError("--from A and --to B go together, without --at and --on");
   if (!options.is_pair() && options.at.empty())
     throw UsageError(
-        "visibility needs --at X,Y or --on NAME --at T or --from A --to B or --points FILE or --edge NAME or --events "
-        "or "
-        "--graph");
+        "visibility needs --at X,Y or --on NAME --at T or --from A --to B or --points FILE or --edge NAME or --face "
+        "NAME or --events or --graph");
   if (options.from == "sky" && options.to == "sky")
     throw UsageError("--from or --to is a face: the sky exchanges nothing with itself");
 }
@@ -271,7 +271,10 @@ ExitCode from_points(const VisibilityOptions& options, Streams& streams) {
 ExitCode from_edge(const VisibilityOptions& options, Streams& streams) {
   if (is_file(options.out)) throw UsageError("--edge writes to standard output, not to '" + options.out + "'");
   if (options.edge == "sky") throw UsageError("--edge is a face, which the sky is not");
-  const auto prepared = simulation_of(options, streams).prepared(streams.stages());
+  Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  if (std::holds_alternative<Scene3>(scene))
+    throw UsageError("--edge is of scenes in the plane; in space --face NAME tells what some point of a face sees");
+  const auto prepared = simulation_of(std::get<Scene2>(std::move(scene))).prepared(streams.stages());
   const Face face = face_of(prepared->scene, options.edge);
   require_free(*prepared, face);
   const EdgeSight2 sight = edge_sight(*prepared, face, streams.progress("weak visibility"));
@@ -280,21 +283,42 @@ ExitCode from_edge(const VisibilityOptions& options, Streams& streams) {
   return ExitCode::kDone;
 }
 
+ExitCode from_face_in_space(const VisibilityOptions& options, Streams& streams) {
+  if (is_file(options.out)) throw UsageError("--face writes to standard output, not to '" + options.out + "'");
+  Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  if (std::holds_alternative<Scene2>(scene))
+    throw UsageError("--face is of scenes in space; in the plane --edge NAME tells what some point of an edge sees");
+  write_face_sight(options.face, options.json, Simulation3(std::get<Scene3>(std::move(scene))), streams);
+  return ExitCode::kDone;
+}
+
 SceneLines scene_lines(const VisibilityOptions& options) {
   return {.scene = options.scene, .out = options.out, .json = options.json, .exact = options.exact};
 }
 
 ExitCode events(const VisibilityOptions& options, Streams& streams) {
+  Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  if (Scene3* const there = std::get_if<Scene3>(&scene)) {
+    const EventRequest3 request{options.scene, options.from, options.to, options.out, options.json, options.exact};
+    require_sense(request);
+    write_events_3(request, Simulation3(std::move(*there)), streams);
+    return ExitCode::kDone;
+  }
+  if (options.is_pair()) throw UsageError("--events with --from A and --to B is of scenes in space");
   const SceneLines lines = scene_lines(options);
   require_sense(lines, "critical lines are");
-  write_events(lines, *simulation_of(options, streams).prepared(streams.stages()), streams);
+  write_events(lines, *simulation_of(std::get<Scene2>(std::move(scene))).prepared(streams.stages()), streams);
   return ExitCode::kDone;
 }
 
 ExitCode graph(const VisibilityOptions& options, Streams& streams) {
   const SceneLines lines = scene_lines(options);
   require_sense(lines, "the visibility graph is");
-  write_graph(lines, *simulation_of(options, streams).prepared(streams.stages()), streams);
+  Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  if (Scene3* const there = std::get_if<Scene3>(&scene))
+    write_graph_3(lines, Simulation3(std::move(*there)), streams);
+  else
+    write_graph(lines, *simulation_of(std::get<Scene2>(std::move(scene))).prepared(streams.stages()), streams);
   return ExitCode::kDone;
 }
 
@@ -350,10 +374,11 @@ ExitCode in_space(const VisibilityOptions& options, Scene3 scene, std::optional<
 }
 
 ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
-  if (options.polygons.triangulates && (!options.edge.empty() || options.events || options.graph))
-    throw UsageError("--triangulate cuts polygons in space; --edge, --events and --graph are of the plane");
+  if (options.polygons.triangulates && !options.edge.empty())
+    throw UsageError("--triangulate cuts polygons in space; --edge is of the plane");
   if (!options.points.empty()) return from_points(options, streams);
   if (!options.edge.empty()) return from_edge(options, streams);
+  if (!options.face.empty()) return from_face_in_space(options, streams);
   if (options.events) return events(options, streams);
   if (options.graph) return graph(options, streams);
   if (options.exact) throw UsageError("--exact goes with --points, --events or --graph");
@@ -399,6 +424,8 @@ void add_visibility(Commands& commands) {
        "hottel visibility scenes/space/two_boxes.json --from lamp --to floor",
        "hottel visibility scenes/analytic/strip_obstructed.json --edge bottom",
        "hottel visibility scenes/analytic/strip_obstructed.json --events",
+       "hottel visibility scenes/space/two_boxes.json --face lamp",
+       "hottel visibility scenes/space/two_boxes.json --events --from lamp --to floor -o /tmp/events.vtp",
        "hottel visibility scenes/showcase/apartment.json --graph -o /tmp/graph.csv"},
       [options](Streams& streams) { return visibility(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
@@ -442,21 +469,30 @@ void add_visibility(Commands& commands) {
       ->needs(points);
   CLI::Option* edge = command.add_option("--edge", options->edge, "a face: what some point of it sees");
   edge->type_name("NAME");
-  CLI::Option* events = command.add_flag("--events", options->events, "the critical lines of the scene");
+  CLI::Option* face =
+      command.add_option("--face", options->face, "in space, a face: which faces some point of it sees");
+  face->type_name("NAME");
+  CLI::Option* events = command.add_flag(
+      "--events", options->events,
+      "the critical lines of the scene; in space with --from A and --to B the surfaces of lines along which what these "
+      "see of each other changes, by some of their lines: csv, with -o also .vtp, or drawn where they meet B");
   CLI::Option* graph = command.add_flag("--graph", options->graph, "all pairs of vertices that see each other");
   CLI::Option* guarantee = options->guarantee.add_to(command, "what a point sees has proven bounds; ");
-  for (CLI::Option* other : {points, edge, events, graph}) guarantee->excludes(other);
+  for (CLI::Option* other : {points, edge, face, events, graph}) guarantee->excludes(other);
   for (CLI::Option* other : {at, on, from, to, points}) {
     edge->excludes(other);
-    events->excludes(other);
+    face->excludes(other);
     graph->excludes(other);
   }
+  events->excludes(at)->excludes(on)->excludes(points)->excludes(graph);
   edge->excludes(events)->excludes(exact)->excludes(graph);
-  events->excludes(graph);
+  face->excludes(events)->excludes(exact)->excludes(graph)->excludes(edge);
   command
       .add_option("-o", options->out,
                   "draw it: .png, .svg or .pdf; the answer in short is on stderr then. With --points the polygons: "
-                  ".csv, .geojson, .wkt or .npz; with --events and --graph a .csv. Without it, or with -, the answer "
+                  ".csv, .geojson, .wkt or .npz; with --events and --graph a .csv, with --events in space also a .vtp "
+                  "or a drawing. "
+                  "Without it, or with -, the answer "
                   "is on standard "
                   "output")
       ->type_name("FILE");

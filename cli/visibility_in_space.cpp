@@ -9,6 +9,7 @@
 #include "geometry/name.h"
 #include "geometry/scene_names.h"
 #include "geometry/space/arrangement/arrangement.h"
+#include "geometry/space/exchange/exact_form.h"
 #include "geometry/space/exchange/pair_report.h"
 #include "geometry/space/scene/scene.h"
 #include "geometry/space/visibility/point_bounds.h"
@@ -164,7 +165,11 @@ VisibilityAnswer pair_in_space(const Simulation3& simulation, const std::string&
     if (proves && !report.is_enclosed())
       throw RequestError("the pair has no enclosure within " + shortest(tolerance) + ": " + quoted_name(from) +
                          " and " + quoted_name(to));
-    return pair_answer(scene, from, to, report);
+    std::string form;
+    if (face_from && face_to)
+      if (const ExactForm3 exact = exact_form_3(*simulation.prepared(), *face_from, *face_to); exact.exchange)
+        form = exact.exchange->to_string();
+    return pair_answer(scene, from, to, report, form);
   });
 }
 

@@ -48,6 +48,7 @@ void add_shape(const GridRegion& region, Json& sidecar) {
 }
 
 void add_shape(const PlanarRegion& region, Json& sidecar) {
+  if (!region.name.empty()) sidecar["grid"] = region.name;
   sidecar["shape"] = {region.nv, region.nu};
   sidecar["order"] = "C";
   sidecar["axes"] = {"v", "u"};
@@ -88,8 +89,20 @@ std::string illumination_sidecar(const GridRegion& region, const std::vector<std
   return sidecar_of_light(region, channels, way);
 }
 
-std::string illumination_sidecar(const PlanarRegion& region, const std::vector<std::string>& channels) {
-  return sidecar_of_light(region, channels, "point");
+std::string illumination_sidecar(const PlanarRegion& region, const std::vector<std::string>& channels,
+                                 std::optional<double> max_error) {
+  if (!max_error) return sidecar_of_light(region, channels, "point");
+  Json sidecar;
+  sidecar["quantity"] = "irradiance";
+  sidecar["illumination"] = "average";
+  sidecar["max_error"] = *max_error;
+  add_shape(region, sidecar);
+  add_channels(channels, sidecar);
+  return sidecar.dump(2) + "\n";
+}
+
+std::string average_error_sidecar(const PlanarRegion& region) {
+  return sidecar_of_values(region, "what irradiance may be off", kRadiosityUnit);
 }
 
 std::string shown_sidecar(const GridRegion& region, const std::string& quantity, const std::string& unit) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,13 +34,19 @@ struct GridRegion {
 std::string illumination_sidecar(const GridRegion& region, const std::vector<std::string>& channels,
                                  std::string_view way);
 
-// The same of mean irradiance at points of a plane in space: axes v, u, channel; a region of `origin`, `u` and `v`, the
-// two sides of the parallelogram that the cells are parts of.
+// The same of light on a plane in space: axes v, u, channel; a region of `origin`, `u` and `v`, the two sides of the
+// parallelogram that the cells are parts of, and `grid`, its name, where it has one. way: "point", mean irradiance at
+// the centres of cells; "average", the `irradiance` of cells on the side that u x v points to, with the `max_error` of
+// their values.
 struct PlanarRegion {
   std::array<double, 3> origin, u, v;
   std::size_t nu = 0, nv = 0;  // cells
+  std::string name{};
 };
-std::string illumination_sidecar(const PlanarRegion& region, const std::vector<std::string>& channels);
+std::string illumination_sidecar(const PlanarRegion& region, const std::vector<std::string>& channels,
+                                 std::optional<double> max_error = std::nullopt);
+// Of what each of these averages may be off: one number a cell, axes v, u.
+std::string average_error_sidecar(const PlanarRegion& region);
 // The same of one number a cell, of a quantity by its name and unit: axes v, u.
 std::string shown_sidecar(const PlanarRegion& region, const std::string& quantity, const std::string& unit);
 // The same of texels of a face, with its name as `face`: of radiosity in W/m² by channel, axes v, u, channel; and of

@@ -44,7 +44,10 @@ nlohmann::ordered_json manifest_entry(const SceneReference& scene) {
   json["radiosities"] = {{"of", "the discrete problem of these elements"},
                          {"guarantee", to_string(scene.of_radiosities)},
                          {"max_relative_width", scene.max_relative_width}};
-  if (scene.light) json["light"] = {{"quantity", "mean irradiance"}, {"shape", *scene.light}, {"guarantee", "none"}};
+  for (const auto& [file, shape] : scene.lights) {
+    const nlohmann::ordered_json light = {{"quantity", "mean irradiance"}, {"shape", shape}, {"guarantee", "none"}};
+    file == "illumination" ? json["light"] = light : json["lights"][file] = light;
+  }
   json["files"] = nlohmann::ordered_json::array();
   for (const SetFile& file : scene.files)
     json["files"].push_back({{"file", file.path}, {"bytes", file.text.size()}, {"sha256", sha256(file.text)}});
@@ -57,10 +60,10 @@ ReferenceUnits units_of(const SceneTable& scene, const char* area) {
 }
 
 void add_light(const std::string& folder, const ReferenceLight& light, SceneReference& scene) {
-  scene.light = light.shape;
-  scene.files.push_back(
-      {folder + "illumination.npy", written([&](const Sink& sink) { write_npy(light.shape, light.values, sink); })});
-  scene.files.push_back({folder + "illumination.npy.json", light.sidecar});
+  scene.lights.emplace_back(light.file, light.shape);
+  const std::string npy = folder + light.file + ".npy";
+  scene.files.push_back({npy, written([&](const Sink& sink) { write_npy(light.shape, light.values, sink); })});
+  scene.files.push_back({npy + ".json", light.sidecar});
 }
 
 // Counts of the matrix, and what is known of it.
@@ -102,7 +105,7 @@ SceneReference scene_reference(const std::string& name, ReferenceUnits units, st
   result.files.push_back({folder + "radiosity.csv", written([&](const Sink& sink) {
                             write_radiosity_csv(solved.scene, matrix, solved.solution, sink);
                           })});
-  if (solved.light) add_light(folder, *solved.light, result);
+  for (const ReferenceLight& light : solved.lights) add_light(folder, light, result);
   return result;
 }
 

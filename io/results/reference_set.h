@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
@@ -23,9 +24,10 @@ struct SetFile {
   std::string path, text;
 };
 
-// Mean irradiance on the grid of a scene: numbers in C order by that shape, the channels last, and what is said of
-// them.
+// Mean irradiance on a grid of a scene: numbers in C order by that shape, the channels last, and what is said of them,
+// in illumination.npy or, where the grid has a name, illumination-NAME.npy.
 struct ReferenceLight {
+  std::string file;  // without .npy
   std::array<std::size_t, 3> shape{};
   std::span<const double> values;
   std::string sidecar;
@@ -40,7 +42,7 @@ struct SolvedScene {
   double max_defect = 0;                              // of sums of rows
   std::optional<double> tolerance = {};               // of factors in space
   std::function<void(const Sink&)> write_faces = {};  // factors.mtx.faces.csv
-  std::optional<ReferenceLight> light = {};           // where the scene has a grid
+  std::vector<ReferenceLight> lights = {};            // on each grid of the scene
 };
 
 // What numbers of a scene are in, by its dimension and unit of length (docs/outputs.md).
@@ -54,7 +56,7 @@ struct SceneReference {
   ReferenceUnits units;
   std::uint64_t unknowns = 0;  // elements with a material
   std::vector<std::string> channels;
-  std::optional<std::array<std::size_t, 3>> light;  // shape
+  std::vector<std::pair<std::string, std::array<std::size_t, 3>>> lights;  // files of light, and their shapes
   FactorCounts counts;
   std::uint64_t factors = 0, enclosed = 0;  // entries, and how many of them are not estimated
   Guarantee of_factors = Guarantee::kExact, of_radiosities = Guarantee::kEnclosed;
@@ -65,7 +67,7 @@ struct SceneReference {
 };
 
 // Returns the files of one scene: scene.json (`text`), factors.csv, factors.mtx, factors.mtx.faces.csv, radiosity.csv,
-// and with light illumination.npy and illumination.npy.json. units: reference_units() of it.
+// and of each light an .npy and .npy.json. units: reference_units() of it.
 SceneReference scene_reference(const std::string& name, ReferenceUnits units, std::string text,
                                const SolvedScene& solved);
 

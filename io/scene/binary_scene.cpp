@@ -115,7 +115,7 @@ void fields(T& c, Visit& visit) {
 }
 template <Is<Grid3> T, class Visit>
 void fields(T& g, Visit& visit) {
-  visit(g.origin, g.u, g.v, g.nu, g.nv);
+  visit(g.origin, g.u, g.v, g.nu, g.nv, g.name);
 }
 template <Is<Scene2> T, class Visit>
 void fields(T& s, Visit& visit) {
@@ -125,7 +125,7 @@ void fields(T& s, Visit& visit) {
 template <Is<Scene3> T, class Visit>
 void fields(T& s, Visit& visit) {
   using Table = std::conditional_t<std::is_const_v<T>, const SceneTable, SceneTable>;
-  visit(static_cast<Table&>(s), s.polygons, s.masks, s.light_places, s.camera, s.grid);
+  visit(static_cast<Table&>(s), s.polygons, s.masks, s.light_places, s.camera, s.grids);
 }
 
 // A rational is its numerator and denominator; where one of them has more than 62 bits it is this mark, and both as

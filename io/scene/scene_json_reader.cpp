@@ -24,10 +24,10 @@ constexpr const char* kInThePlaneOnly = "the scene is in space (dimension 3); th
 constexpr const char* kInSpaceOnly = "the scene is in the plane (dimension 2); this command works in space";
 // What is there in space.
 constexpr const char* kDoneInSpace =
-    "in space all commands work but for `hottel visibility` with --edge, --events or --graph: it takes --at X,Y,Z "
-    "(what a "
-    "point sees), --points (lines x,y,z), --on NAME --at S,T (a point of a face) and --from A --to B (what two faces "
-    "exchange)";
+    "in space all commands work but for `hottel visibility` with --edge or points x,y: it takes --at X,Y,Z (what a "
+    "point "
+    "sees), --points (lines x,y,z), --on NAME --at S,T (a point of a face), --from A --to B (what two faces exchange), "
+    "--face NAME, --graph, and --events between two faces";
 
 // The value of a member of the scene, one of those allowed.
 JsonValue version(const JsonValue& root, std::string_view key, std::initializer_list<const char*> allowed) {

@@ -160,10 +160,24 @@ void write_camera(const Camera3& camera, std::string& out) {
       triple(camera.up.x, camera.up.y, camera.up.z), json_number(camera.field_of_view), camera.width, camera.height);
 }
 
-void write_grid(const Grid3& grid, std::string& out) {
-  out += fmt::format(",\n  \"grid\": {{\"origin\": {}, \"u\": {}, \"v\": {}, \"cells\": [{}, {}]}}",
+std::string grid_members(const Grid3& grid) {
+  return fmt::format("\"origin\": {}, \"u\": {}, \"v\": {}, \"cells\": [{}, {}]}}",
                      triple(grid.origin.x, grid.origin.y, grid.origin.z), triple(grid.u.x, grid.u.y, grid.u.z),
                      triple(grid.v.x, grid.v.y, grid.v.z), grid.nu, grid.nv);
+}
+
+// One without a name by itself, others as a list.
+void write_grids(const std::vector<Grid3>& grids, std::string& out) {
+  if (grids.empty()) return;
+  if (grids.size() == 1 && grids.front().name.empty()) {
+    out += ",\n  \"grid\": {" + grid_members(grids.front());
+    return;
+  }
+  out += ",\n  \"grid\": [";
+  for (const Grid3& grid : grids)
+    out += fmt::format("{}\n    {{\"name\": {}, {}", &grid == &grids.front() ? "" : ",", json_string(grid.name),
+                       grid_members(grid));
+  out += "\n  ]";
 }
 
 }  // namespace
@@ -186,7 +200,7 @@ std::string write_scene_3(const Scene3& scene) {
   write_head(scene, 3, out);
   write_polygons(scene, out);
   write_sky(scene, out);
-  if (scene.grid) write_grid(*scene.grid, out);
+  write_grids(scene.grids, out);
   if (scene.camera) write_camera(*scene.camera, out);
   write_lights_of(scene, out);
   write_expectations(scene, out);

@@ -202,7 +202,7 @@ ExactGrid exact_grid(const MethodComparison2& comparison, const Simulation2& ask
           exact_light_on(comparison, grid).values};
 }
 ExactGrid exact_grid(const MethodComparison3& comparison, const Simulation3& asked) {
-  const Grid3& grid = *asked.grid();
+  const Grid3 grid = *asked.grid();
   return {{to_doubles(grid.origin), to_doubles(grid.u), to_doubles(grid.v), grid.nu, grid.nv, true},
           exact_light_on(comparison, grid).values};
 }

@@ -1,11 +1,15 @@
 #include "python/bindings/graph.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "geometry/plane/visibility/visibility_graph.h"
+#include "geometry/space/exchange/vertex_graph.h"
+#include "geometry/space/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "python/bindings/bindings.h"
 
@@ -50,15 +54,36 @@ FoundGraph found_in(const PreparedScene2& prepared, const StageProgress& progres
   return graph;
 }
 
+FoundGraph found_in(const PreparedScene3& prepared, const StageProgress& progress) {
+  FoundGraph graph;
+  const std::vector<GraphVertex3> vertices = graph_vertices_3(prepared.scene);
+  for (const GraphVertex3& vertex : vertices) {
+    const std::array<double, 3> place = to_doubles(vertex.point);
+    graph.vertices.insert(graph.vertices.end(), place.begin(), place.end());
+    graph.surfaces.push_back(prepared.scene.surfaces[vertex.surface].name);
+  }
+  for (const double x : graph.vertices)
+    if (!std::isfinite(x)) throw RequestError("a vertex is beyond the range of doubles");
+  for (const Surface& surface : prepared.scene.surfaces) graph.names.push_back(surface.name);
+  for (const VisiblePair3& pair : visibility_graph_3(prepared, telling("visibility graph", progress))) {
+    graph.pairs.insert(graph.pairs.end(), {pair.v, pair.w});
+    graph.lengths.push_back(length_between(vertices[pair.v].point, vertices[pair.w].point));
+    if (!std::isfinite(graph.lengths.back())) throw RequestError("a length is beyond the range of doubles");
+    graph.along.push_back(pair.along ? static_cast<std::int32_t>(*pair.along) : -1);
+  }
+  return graph;
+}
+
 PythonGraph graph_of(const PythonSimulation& simulation) {
-  if (!simulation.is_plane()) throw UsageError("the visibility graph is only for scenes in the plane");
   FoundGraph graph = simulation.waited([](const AnySimulation& any, const StageProgress& progress) {
+    if (const auto* const space = std::get_if<Simulation3>(&any)) return found_in(*space->prepared(progress), progress);
     const Simulation2 by_faces = std::get<Simulation2>(any).with_request({.granularity = Granularity::kFace});
     return found_in(*by_faces.prepared(progress), progress);
   });
+  const py::ssize_t dimension = simulation.is_plane() ? 2 : 3;
   const auto vertices = static_cast<py::ssize_t>(graph.surfaces.size());
   const auto pairs = static_cast<py::ssize_t>(graph.lengths.size());
-  return {frozen(std::move(graph.vertices), {vertices, 2}),
+  return {frozen(std::move(graph.vertices), {vertices, dimension}),
           frozen(std::move(graph.pairs), {pairs, 2}),
           frozen(std::move(graph.lengths)),
           frozen(std::move(graph.along)),
@@ -70,9 +95,11 @@ PythonGraph graph_of(const PythonSimulation& simulation) {
 
 void add_graph(py::module_& module) {
   py::class_<PythonGraph>(module, "VisibilityGraph",
-                          "Which vertices of a scene in the plane see each other, exactly: n vertices, m pairs.")
+                          "Which vertices of a scene see each other, exactly: n vertices, m pairs.")
       .def_readonly("vertices", &PythonGraph::vertices,
-                    "Ends of surfaces, then crossings, float64 of shape (n, 2), in units of the scene. Read only.")
+                    "Ends of surfaces, then crossings, float64 of shape (n, 2); in space corners of polygons, (n, 3); "
+                    "in units of\n"
+                    "the scene. Read only.")
       .def_readonly("pairs", &PythonGraph::pairs,
                     "Numbers of two vertices that see each other, the lower first, int64 of shape (m, 2). Read only.")
       .def_readonly("lengths", &PythonGraph::lengths,
@@ -94,8 +121,8 @@ void add_graph(py::module_& module) {
 
 void add_graph_questions(py::class_<PythonSimulation>& type) {
   type.def("visibility_graph", &graph_of,
-           "Returns which vertices of the scene see each other, VisibilityGraph, as `hottel visibility --graph`. "
-           "UsageError\nin space, RequestError where coordinates are beyond the range of doubles.");
+           "Returns which vertices of the scene see each other, VisibilityGraph, as `hottel visibility --graph`.\n"
+           "RequestError where coordinates are beyond the range of doubles.");
 }
 
 }  // namespace hottel::python

@@ -38,7 +38,9 @@ FoundLight found(const Simulation3& simulation, const std::optional<Shown>& show
   const auto solution = simulation.radiosities(progress);
   FoundLight result{.cells = *simulation.grid(), .channels = solution->channel_names};
   if (!shown) {
-    result.values = simulation.light(progress)->values;
+    const auto light = simulation.light(progress);
+    result.values = light->values;
+    result.max_error = light->max_error();
     return result;
   }
   const auto lights = oriented_lights_on_grid(*simulation.prepared(), simulation.request().factors.granularity,
@@ -157,9 +159,11 @@ void add_grid_questions(py::class_<PythonSimulation>& type) {
       "directions; with it 'irradiance', 'temperature' (the mean radiant one, [K]) or 'sky' (the view factor to it),\n"
       "in the plane over all directions, in space on areas that look along u x v.\n\n"
       "cells: (nx, ny), by default those of the scene's grid, in the plane else 256 along the longer side of the\n"
-      "scene. over: a dict, a grid as a scene file has it, in place of the scene's. channel: of irradiance. "
-      "illumination:\n"
-      "in the plane 'point', 'average' (over cells, with a proven bound) or 'inverse-square'. Throws UsageError for\n"
+      "scene. over: a dict, a grid as a scene file has it, in place of the scene's; or, of several grids in space, "
+      "the\n"
+      "name of one. channel: of irradiance. illumination: 'point', 'average' (over cells, with a proven bound; in "
+      "space\n"
+      "the irradiance of cells on the side of u x v) or in the plane 'inverse-square'. Throws UsageError for\n"
       "what makes no sense, InputError for a grid that is none, RequestError as of radiosity.");
 }
 

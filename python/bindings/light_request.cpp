@@ -1,9 +1,12 @@
 #include "python/bindings/light_request.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <string>
 #include <utility>
 
+#include "geometry/name.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
 #include "solver/plane/light/light_values.h"
@@ -75,17 +78,30 @@ AnySimulation in_plane(const PythonSimulation& simulation, const GridKeywords& k
   return before.with_request(std::move(request));
 }
 
+// The grid that `over` is or names, without it the only one of the scene.
+Grid3 grid_over(const Scene3& scene, const py::object& over) {
+  if (py::isinstance<py::str>(over)) {
+    const auto name = over.cast<std::string>();
+    const auto found = std::ranges::find(scene.grids, name, &Grid3::name);
+    if (found != scene.grids.end()) return *found;
+    throw UsageError("there is no grid called " + quoted_name(name) + ", only: " + names_of_grids(scene));
+  }
+  if (!over.is_none()) return std::get<Scene3>(scene_with_grid(over, false)).grids.front();
+  if (scene.grids.size() == 1) return scene.grids.front();
+  if (!scene.grids.empty())
+    throw UsageError("the scene has several grids, of which over='NAME' is one: " + names_of_grids(scene));
+  throw UsageError(
+      "a scene in space has light on a grid where it says so, and this one does not: over={\"origin\": [x, y, z], "
+      "\"u\": [x, y, z], \"v\": [x, y, z], \"cells\": [N, N]}");
+}
+
 AnySimulation in_space(const PythonSimulation& simulation, const GridKeywords& keywords) {
-  if (keywords.illumination != "point")
-    throw UsageError("illumination is only for scenes in the plane: in space light on a grid is that of points");
+  if (keywords.illumination != "point" && keywords.illumination != "average")
+    throw UsageError("illumination in space is 'point' or 'average', not '" + keywords.illumination + "'");
   const Simulation3& before = simulation.in_space();
   SimulationRequest3 request = before.request();
-  request.light.grid = before.scene().grid;
-  if (!keywords.over.is_none()) request.light.grid = std::get<Scene3>(scene_with_grid(keywords.over, false)).grid;
-  if (!request.light.grid)
-    throw UsageError(
-        "a scene in space has light on a grid where it says so, and this one does not: over={\"origin\": [x, y, z], "
-        "\"u\": [x, y, z], \"v\": [x, y, z], \"cells\": [N, N]}");
+  request.light.grid = grid_over(before.scene(), keywords.over);
+  request.light.is_average = keywords.illumination == "average";
   if (const auto cells = cells_of(keywords.cells, kMaxGridCells3)) {
     request.light.grid->nu = (*cells)[0];
     request.light.grid->nv = (*cells)[1];

@@ -2,8 +2,11 @@
 
 #include <memory>
 
+#include "geometry/name.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/visibility/visibility_polygons.h"
+#include "geometry/scene_names.h"
+#include "geometry/space/exchange/exact_form.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
 #include "python/bindings/bindings.h"
@@ -198,14 +201,28 @@ py::object PythonSimulation::visible(const py::object& array, const py::object& 
   })));
 }
 
+std::string PythonSimulation::exchange_in_space(const std::string& from, const std::string& to) const {
+  if (from == "sky" || to == "sky") throw UsageError("what is seen of the sky has no closed form in space");
+  return waited([&](const AnySimulation&, const StageProgress& progress) {
+    const auto prepared = in_space().prepared(progress);
+    const ExactForm3 form = exact_form_3(*prepared, face_of(prepared->scene, from), face_of(prepared->scene, to));
+    if (!form.exchange)
+      throw RequestError("no closed form is known of " + quoted_name(from) + " and " + quoted_name(to) + ": " +
+                         form.why_not);
+    return form.exchange->to_string();
+  });
+}
+
 py::dict PythonSimulation::exact_form(const std::string& from, const std::string& to) const {
-  if (!scene_.is_plane())
-    throw UsageError("closed forms are of scenes in the plane; this version does not have them in space");
+  py::dict result;
+  if (!scene_.is_plane()) {
+    result["exchange"] = exchange_in_space(from, to);
+    return result;
+  }
   const ExactPair2 pair = waited([&](const AnySimulation&, const StageProgress& progress) {
     in_the_plane().prepared(progress);
     return exact_pair(in_the_plane(), from, to);
   });
-  py::dict result;
   result["exchange"] = pair.exchange.to_string();
   result["unobstructed"] = pair.unobstructed.to_string();
   result["area_from"] = pair.area_from.to_string();

@@ -64,6 +64,7 @@ class PythonSimulation {
   std::shared_ptr<const std::variant<MethodComparison2, MethodComparison3>> comparison();
 
  private:
+  std::string exchange_in_space(const std::string& from, const std::string& to) const;
   struct Solved {
     std::shared_ptr<const ExchangeMatrix> matrix;
     std::shared_ptr<const RadiositySolution> solution;

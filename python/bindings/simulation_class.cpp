@@ -101,9 +101,11 @@ void add_questions(py::class_<PythonSimulation>& type) {
            "change: after an edit of emissions view factors are not computed again. UsageError for another dimension.")
       .def(
           "exact_form", &PythonSimulation::exact_form, py::arg("from_name"), py::arg("to_name"),
-          "Returns a pair of the plane in closed form, a dict of 'exchange' (the area times the view factor),\n"
+          "Returns a pair in closed form, a dict of 'exchange' (the area times the view factor), and in the plane\n"
           "'unobstructed' (what it would be with nothing between), 'area_from' and 'area_to': sums of square roots as\n"
-          "str, '-2 + 1*sqrt(5)', in units of the scene. UsageError for names that there are not, and in space.")
+          "str, '-2 + 1*sqrt(5)', in units of the scene. In space it is of rectangles, with arc tangents and "
+          "logarithms.\n"
+          "UsageError for names that there are not, RequestError where no closed form is known.")
       .def(
           "light", &PythonSimulation::light, py::arg("points"), py::kw_only(), py::arg("binary") = false,
           "Returns the mean irradiance at n points, float64 of shape (n, c) by channel, [W/m2], in the plane and in\n"

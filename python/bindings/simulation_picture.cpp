@@ -60,7 +60,7 @@ void require_sense_in_plane(const PictureKeywords& asked, const PictureRequest& 
 void require_sense_in_space(const PictureKeywords& asked, const PictureRequest& request) {
   if (asked.of != "scene" && asked.of != "grid")
     throw UsageError("of is 'scene', what the camera sees, or 'grid', not '" + asked.of + "'");
-  if (asked.contours > 0) throw UsageError("contours are of scenes in the plane");
+  if (asked.contours > 0 && asked.of != "grid") throw UsageError("contours in space are of a picture of='grid'");
   if (asked.of == "scene" && asked.grid.is_given())
     throw UsageError("cells and over go with of='grid': the camera sees faces");
   if (asked.of != "grid") return;
@@ -82,7 +82,8 @@ PictureRequest request_of(const PythonScene& scene, const PictureKeywords& asked
                          .is_of_grid = asked.of == "grid"};
   require_exposure(request.exposure);
   if (asked.contours < 0 || asked.contours > 100) throw UsageError("contours are a number from 0 to 100");
-  if (!request.shown.is_light() && (asked.tone || request.exposure != 1 || asked.contours > 0))
+  const bool has_contours = asked.contours > 0 && asked.of != "grid";
+  if (!request.shown.is_light() && (asked.tone || request.exposure != 1 || has_contours))
     throw UsageError("tone, exposure and contours are of show='light': '" + asked.show + "' has a scale");
   if (scene.is_plane())
     require_sense_in_plane(asked, request);
@@ -132,7 +133,8 @@ PythonPicture::Draw drawing_of_grid(const Simulation3& simulation, const Picture
                              .exposure = request.exposure,
                              .wanted_width = request.width,
                              .has_axes = request.has_axes,
-                             .length_unit = length_unit(simulation.scene())};
+                             .length_unit = length_unit(simulation.scene()),
+                             .contours = request.contours};
   if (request.shown.is_light()) {
     return [light = simulation.light(progress), picture, only_pixels](PictureFormat format) {
       only_pixels(format);
@@ -183,7 +185,7 @@ PythonPicture picture(const PythonSimulation& simulation, const std::string& sho
   const PictureRequest request = request_of(simulation.scene(), asked);
   const bool has_grid = simulation.is_plane() || request.is_of_grid;
   const auto version = has_grid ? gridded(simulation, asked.grid) : nullptr;
-  if (!has_grid && illumination != "point") throw UsageError("illumination is only for scenes in the plane");
+  if (!has_grid && illumination != "point") throw UsageError("illumination is of light on a grid: of='grid'");
   auto draw = without_lock(simulation.options().waiting, [&](const StageProgress& progress) {
     return std::visit([&](const auto& each) { return drawing(each, request, progress); },
                       version ? *version : simulation.simulation());
@@ -211,7 +213,8 @@ void add_picture_questions(py::class_<PythonSimulation>& type) {
       "exposure. size: pixels across, 0 for the usual. shading: 'flat', 'smooth', 'parents' or, in space, 'gathered'. "
       "axes: coordinates and a "
       "scale\n"
-      "bar. contours: in the plane. outlines: in space, lines where surfaces end, bend or hide others; None: where a "
+      "bar. contours: in the plane, and of='grid'. outlines: in space, lines where surfaces end, bend or hide others; "
+      "None: where a "
       "scale is shown. cells, "
       "over, illumination: as of grid(). Throws UsageError for what makes no sense, RequestError as of\n"
       "radiosity and for what cannot be drawn.");

@@ -237,8 +237,8 @@ TEST_F(FactorsInSpace, MemoryIsKeptTo) {
 }
 
 TEST_F(FactorsInSpace, WhatIsOfThePlaneIsRefused) {
-  for (const char* option : {"--exact-form", "--exact-form floor ceiling", "--picture p.svg --toward floor",
-                             "--method gauss:4 --exact-form", "--method gauss:4 --script-f"}) {
+  for (const char* option :
+       {"--picture p.svg --toward floor", "--method gauss:4 --exact-form", "--method gauss:4 --script-f"}) {
     const Outcome outcome = place_.run(std::string("hottel factors cube.json ") + option);
     EXPECT_EQ(outcome.code, 2) << option << "\n" << outcome.err;
     EXPECT_EQ(outcome.out, "") << option;
@@ -247,6 +247,21 @@ TEST_F(FactorsInSpace, WhatIsOfThePlaneIsRefused) {
                              "--tolerance 1e400", "--guarantee exact", "--guarantee", "--element-size 0"})
     EXPECT_EQ(place_.run(std::string("hottel factors cube.json ") + option).code, 2) << option;
   EXPECT_THAT(place_.files(), ElementsAre("cube.json", "screened.json", "two_boxes.json"));
+}
+
+TEST_F(FactorsInSpace, RectanglesHaveClosedForms) {
+  const Outcome pair = place_.run("hottel factors cube.json --exact-form floor ceiling --quiet");
+  EXPECT_EQ(
+      pair.out,
+      "from,to,exchange,area\nfloor,ceiling,(-4*atan(1) + 4*sqrt(2)*atan(1/2*sqrt(2)) + 2*log(2) - log(3))/pi,1\n");
+  const Outcome all = place_.run("hottel factors cube.json --exact-form");
+  EXPECT_EQ(lines_of(all.out).size(), 31u);
+  EXPECT_EQ(all.err, "");
+  const Outcome hidden = place_.run("hottel factors two_boxes.json --exact-form floor ceiling");
+  EXPECT_EQ(hidden.code, 1);
+  EXPECT_THAT(hidden.err,
+              HasSubstr("two_boxes.json: no closed form is known of 'floor' and 'ceiling': something hides"));
+  EXPECT_THAT(place_.run("hottel visibility cube.json --from floor --to ceiling").out, HasSubstr("  S = (-4*atan(1)"));
 }
 
 TEST_F(FactorsInSpace, ScriptFIsEnclosedWhereFactorsAre) {

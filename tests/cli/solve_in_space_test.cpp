@@ -21,6 +21,7 @@
 namespace hottel::solve_in_space_test {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -382,14 +383,67 @@ TEST(SolveInSpace, TheCellsOfTheGridAreAsAskedFor) {
   EXPECT_FALSE(std::filesystem::exists(place.path("none")));
 }
 
+// A scene with the members of a grid, or a list of them, in place of none.
+std::string with_grid(const std::string& grid) {
+  std::string scene = contents(scene_file("cube.json"));
+  return scene.replace(scene.find("\"closed\""), 8, "\"grid\": " + grid + ", \"closed\"");
+}
+const std::string kLow = R"("origin": [0, 0, 0.25], "u": [1, 0, 0], "v": [0, 1, 0], "cells": [3, 2]})";
+const std::string kHigh = R"("origin": [0, 0, 0.75], "u": [1, 0, 0], "v": [0, 1, 0], "cells": [4, 4]})";
+
+TEST(SolveInSpace, EachGridOfAListHasItsOwnFiles) {
+  const Workplace place;
+  place.write("both.json", with_grid("[{\"name\": \"low\", " + kLow + ", {\"name\": \"high\", " + kHigh + "]"));
+  place.write("low.json", with_grid("{" + kLow));
+  place.write("high.json", with_grid("{" + kHigh));
+  const Outcome both = place.run("hottel solve both.json -o both --show irradiance --views seen.mtx");
+  ASSERT_EQ(both.code, 0) << both.err;
+  EXPECT_THAT(both.err, HasSubstr(" illumination-low.npy illumination-high.npy illumination-low.npy.json"));
+  EXPECT_THAT(place.files(), Contains("seen-high.mtx"));
+  for (const std::string name : {"low", "high"}) {
+    ASSERT_EQ(place.run("hottel solve " + name + ".json -o " + name + " --show irradiance --views one.mtx").code, 0);
+    EXPECT_EQ(place.read("both/illumination-" + name + ".npy"), place.read(name + "/illumination.npy"));
+    EXPECT_EQ(place.read("both/illumination-" + name + ".png"), place.read(name + "/illumination.png"));
+    EXPECT_EQ(place.read("both/shown-" + name + ".npy"), place.read(name + "/shown.npy"));
+    EXPECT_EQ(place.read("seen-" + name + ".mtx"), place.read("one.mtx"));
+    EXPECT_THAT(place.read("both/illumination-" + name + ".npy.json"), HasSubstr("\"grid\": \"" + name + "\""));
+  }
+  const Outcome less = place.run("hottel solve low.json -o both");
+  EXPECT_THAT(less.err, HasSubstr("of an earlier run, and left as it was: illumination-high.npy illumination-low.npy"));
+  const Outcome judged = place.run("hottel compare both.json --grid-file both/illumination-high.npy -o judged");
+  EXPECT_EQ(judged.code, 0) << judged.err;
+  const Outcome unknown = place.run("hottel compare both.json --grid-file high/illumination.npy -o judged");
+  EXPECT_EQ(unknown.code, 3);
+  EXPECT_THAT(unknown.err, HasSubstr("its name does not say which: 'low', 'high'"));
+}
+
+TEST(SolveInSpace, AveragesHaveTheirBoundsBesideThem) {
+  const Workplace place;
+  place.write("low.json", with_grid("{" + kLow));
+  const Outcome outcome = place.run("hottel solve low.json -o out --illumination average");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("illumination: averages over cells, each within "));
+  EXPECT_THAT(place.read("out/illumination.npy.json"), HasSubstr("\"quantity\": \"irradiance\""));
+  EXPECT_THAT(place.read("out/illumination_error.npy"), HasSubstr("'shape': (2, 3), "));
+}
+
+TEST(SolveInSpace, ContoursAreDrawnOverAGrid) {
+  const Workplace place;
+  place.write("high.json", with_grid("{" + kHigh));
+  for (const std::string more : {"", " --show irradiance"}) {
+    ASSERT_EQ(place.run("hottel solve high.json -o plain" + more).code, 0);
+    ASSERT_EQ(place.run("hottel solve high.json -o lines --contours 5" + more).code, 0);
+    EXPECT_NE(place.read("plain/illumination.png"), place.read("lines/illumination.png"));
+    EXPECT_EQ(place.read("plain/illumination.npy"), place.read("lines/illumination.npy"));
+  }
+}
+
 TEST(SolveInSpace, WhatIsOfThePlaneIsRefused) {
   const Workplace place;
   place.write("cube.json", contents(scene_file("cube.json")));
-  for (const char* option : {"--illumination average", "--contours 3"}) {
-    const Outcome outcome = place.run(std::string("hottel solve cube.json ") + option);
-    EXPECT_EQ(outcome.code, 2) << option;
-    EXPECT_THAT(outcome.err, HasSubstr("is only for scenes in the plane")) << option;
-  }
+  const Outcome outcome = place.run("hottel solve cube.json --illumination inverse-square");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("is only for scenes in the plane"));
   EXPECT_EQ(place.files(), std::vector<std::string>{"cube.json"});
   EXPECT_EQ(place.run("hottel solve cube.json --no-illumination --no-picture -o out").code, 0);
   EXPECT_FALSE(std::filesystem::exists(place.path("out/render.png")));

@@ -225,6 +225,20 @@ def test_what_grids_in_space_show_is_that_of_the_program(show, tmp_path):
         tmp_path / "illumination.png").read_bytes()
 
 
+def test_each_of_several_grids_in_space_is_that_of_the_program(tmp_path):
+    scene = hottel.read_scene("scenes/space/cube.json").replace(grid=[{"name": "low", **GRID}, {"name": "high", **GRID}])
+    solved(scene, tmp_path, "--illumination", "average", "--contours", "3")
+    simulation = hottel.Simulation(scene)
+    found = simulation.grid(over="high", illumination="average")
+    assert found.values.tobytes() == numpy.load(tmp_path / "illumination-high.npy").tobytes()
+    assert 0 <= found.max_error < 1e-6
+    picture = simulation.picture(over="low", of="grid", illumination="average", contours=3)
+    assert picture.file() == (tmp_path / "illumination-low.png").read_bytes()
+    for options in ({}, {"over": "nowhere"}):
+        with pytest.raises(hottel.UsageError, match="'low', 'high'"):
+            simulation.grid(**options)
+
+
 @pytest.mark.parametrize("ending", ["png", "svg", "pdf"])
 @pytest.mark.parametrize("scene", ["scenes/showcase/apartment.json", "scenes/space/two_boxes.json"])
 def test_pictures_of_light_are_those_of_the_program(scene, ending, tmp_path):
@@ -285,7 +299,7 @@ def test_maps_of_points_in_space_are_those_of_the_program(scene, points):
 
 
 @pytest.mark.parametrize("scene", ["scenes/analytic/strip_obstructed.json", "scenes/showcase/apartment.json",
-                                   "scenes/degenerate/kettner_a1.json"])
+                                   "scenes/degenerate/kettner_a1.json", "scenes/space/two_boxes.json"])
 def test_the_visibility_graph_is_that_of_the_program(scene):
     code, listed, message = run_program("visibility", scene, "--graph")
     assert code == 0, message
@@ -294,9 +308,16 @@ def test_the_visibility_graph_is_that_of_the_program(scene):
     assert len(lines) == len(graph.pairs) == len(graph.lengths) > 0
     for line, (v, w), length, along in zip(lines, graph.pairs, graph.lengths, graph.along):
         assert [int(line["vertex0"]), int(line["vertex1"])] == [v, w] and float(line["length"]) == length
-        assert [float(line[each]) for each in ("x0", "y0", "x1", "y1")] == [*graph.vertices[v], *graph.vertices[w]]
+        axes = "xyz"[:graph.vertices.shape[1]]
+        assert [float(line[axis + end]) for end in "01" for axis in axes] == [*graph.vertices[v], *graph.vertices[w]]
         assert line["along"] == (graph.names[along] if along >= 0 else "")
         assert (line["surface0"], line["surface1"]) == (graph.surfaces[v], graph.surfaces[w])
+
+
+def test_closed_forms_in_space_are_those_of_the_program():
+    _, listed, _ = run_program("factors", "scenes/space/cube.json", "--exact-form", "floor", "ceiling")
+    simulation = hottel.Simulation(hottel.read_scene("scenes/space/cube.json"))
+    assert simulation.exact_form("floor", "ceiling") == {"exchange": table_of(listed)[0]["exchange"]}
 
 
 PAIRS = [("scenes/analytic/strip_obstructed.json", "bottom", "top"), ("scenes/analytic/strip_obstructed.json", "top", "sky"),

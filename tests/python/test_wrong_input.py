@@ -194,8 +194,6 @@ def test_what_space_has_not():
     simulation = hottel.Simulation(hottel.read_scene(SCENES / "space/cube.json"))
     with pytest.raises(hottel.UsageError, match="in the plane"):
         simulation.visible([[0.5, 0.5, 0.5]], range=1)
-    with pytest.raises(hottel.UsageError, match="in the plane"):
-        simulation.visibility_graph()
     for points in ([[0, 0]], [[math.nan, 0, 0]], 3.0):
         with pytest.raises((hottel.InputError, TypeError)):
             simulation.visible(points)
@@ -205,8 +203,11 @@ def test_what_space_has_not():
             seen[place]
         with pytest.raises(IndexError):
             seen.pieces(place)
-    with pytest.raises(hottel.UsageError, match="in the plane"):
-        simulation.exact_form("floor", "ceiling")
+    with pytest.raises(hottel.UsageError, match="sky"):
+        simulation.exact_form("floor", "sky")
+    boxes = hottel.Simulation(hottel.read_scene(SCENES / "space/two_boxes.json"))
+    with pytest.raises(hottel.RequestError, match="something hides"):
+        boxes.exact_form("floor", "ceiling")
     with pytest.raises(hottel.UsageError, match="dimension"):
         simulation.with_scene(hottel.read_scene(SCENES / "analytic/hexagon.json"))
 

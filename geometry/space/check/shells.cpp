@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -120,6 +121,16 @@ bool looks_into(const Solids3& solids, const Polygon3& polygon) {
   return solids.behind({&frame, frame.flat(middle(facet)), frame.is_front_up(facet.points)}).has_value();
 }
 
+// The middle and the corners of a grid.
+std::array<Point3, 5> marks_of(const Grid3& grid) {
+  const auto at = [&](const Rational& s, const Rational& t) {
+    return Point3{grid.origin.x + s * grid.u.x + t * grid.v.x, grid.origin.y + s * grid.u.y + t * grid.v.y,
+                  grid.origin.z + s * grid.u.z + t * grid.v.z};
+  };
+  const Rational half(1, 2);
+  return {at(half, half), at(0, 0), at(1, 0), at(0, 1), at(1, 1)};
+}
+
 // Whether something of the scene that is none of these surfaces is in a solid. What `is_of_part` is a face of another
 // closed part: where that lies on the border and looks into the solid, its part is outside.
 bool holds_anything(const Scene3& scene, const Solids3& solids, const Surfaces& surfaces,
@@ -139,13 +150,8 @@ bool holds_anything(const Scene3& scene, const Solids3& solids, const Surfaces& 
                   [&](const LightPlace3& place) { return is_in(place.position); }))
     return true;
   if (scene.camera && is_in(scene.camera->eye)) return true;
-  if (!scene.grid) return false;
-  const auto& [origin, u, v, nu, nv] = *scene.grid;
-  const auto at = [&, &o = origin, &a = u, &b = v](const Rational& s, const Rational& t) {
-    return Point3{o.x + s * a.x + t * b.x, o.y + s * a.y + t * b.y, o.z + s * a.z + t * b.z};
-  };
-  const Rational half(1, 2);
-  return is_in(at(half, half)) || is_in(at(0, 0)) || is_in(at(1, 0)) || is_in(at(0, 1)) || is_in(at(1, 1));
+  return std::ranges::any_of(scene.grids,
+                             [&](const Grid3& grid) { return std::ranges::any_of(marks_of(grid), is_in); });
 }
 
 bool may_have_parts(const Scene3& scene) {

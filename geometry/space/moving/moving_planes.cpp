@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/space/moving/sight_corner.h"
 #include "kernel/exact_double.h"
 
 namespace hottel {
@@ -322,6 +323,16 @@ int MovingPlanes3::settled_sign(const MovingCorner3& corner, PlaneId3 plane) {
   counts_.count(SignTier::kExact);
   if (std::array<WideSum, 3> powers; sum_whole(corner, plane, powers)) return powers[0].sign();
   return dot_sign(exact_first(corner), exact_normal(plane));
+}
+
+void MovingPlanes3::tell(PlaneId3 plane, SightCorner3& corner) const {
+  const Plane& told = planes_[plane.index()];
+  if (told.kind == Kind::kLine) {
+    corner.edges.push_back({told.a, told.b});
+    return;
+  }
+  corner.bodies.push_back(told.a);
+  if (told.kind == Kind::kCrossing) corner.bodies.push_back(told.b);
 }
 
 }  // namespace hottel

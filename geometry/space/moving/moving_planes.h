@@ -23,6 +23,8 @@
 
 namespace hottel {
 
+struct SightCorner3;
+
 // Signs of directions from a point p(t) = (from + t way) / weight beside planes through it, at one t after another, and
 // how far t may move until one of those that were relied on changes.
 //
@@ -69,6 +71,9 @@ class MovingPlanes3 {
     const PlaneSide3 plane = sides_[body][side];
     return (facing > 0) != is_antipodal ? plane.opposite() : plane;
   }
+
+  // Adds what a plane is through: the ends of an edge, or the bodies whose plane it is, or that cross there.
+  void tell(PlaneId3 plane, SightCorner3& corner) const;
 
   // Which side of a body the point sees: +1 its front, -1 its back, 0 neither. Relied on.
   int facing(std::uint32_t body);

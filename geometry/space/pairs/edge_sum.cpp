@@ -254,6 +254,44 @@ const EdgeSum3::Seen& EdgeSum3::stretch_of(std::uint32_t piece) const {
   return *(std::ranges::upper_bound(seen_, std::size_t{piece}, {}, &Seen::first_piece) - 1);
 }
 
+// Whether a point is a corner of one of both patches and of nothing else.
+bool EdgeSum3::is_of_patches_alone(std::uint32_t point) const {
+  const auto has = [&](const PairBodies3::Body& body) {
+    return std::ranges::find(body.corners, point) != body.corners.end();
+  };
+  return std::none_of(bodies_.bodies.begin() + 2, bodies_.bodies.end(), has);
+}
+
+std::vector<PairDetails3::Corner> EdgeSum3::told_corners(const PairStretch3& stretch, const StretchPiece3& piece) {
+  constexpr int kWays = 9;
+  const auto place = [this](std::uint32_t point) {
+    return WeightedPoint3{bodies_.points[point].exact(), bodies_.points[point].weight()};
+  };
+  std::vector<PairDetails3::Corner> result;
+  const std::vector<SightCorner3> corners = mapper_.corners_of(stretch, piece);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    PairDetails3::Corner& told = result.emplace_back(PairDetails3::Corner{corners[k].label, {}, {}, {}, false, {}});
+    if (corners[k].point) {
+      told.vertex = place(*corners[k].point);
+      told.is_of_others = !is_of_patches_alone(*corners[k].point);
+    }
+    for (const auto& [a, b] : corners[k].edges) {
+      told.edges.push_back({place(a), place(b)});
+      told.is_of_others |= !is_of_patches_alone(a) || !is_of_patches_alone(b);
+    }
+    for (const std::uint32_t body : corners[k].bodies) {
+      told.surfaces.push_back(bodies_.bodies[body].surface);
+      told.is_of_others |= body > 1;
+    }
+    const double width = piece.high - piece.low;
+    for (int step = 0; step < kWays; ++step) {
+      const double share = std::clamp(step / (kWays - 1.0), kInside, 1 - kInside);  // at an end it may be zero
+      told.ways.push_back(piece.corners[k].at(piece.low, share * width));
+    }
+  }
+  return result;
+}
+
 void EdgeSum3::tell(PairDetails3& details) {
   const std::vector<double> of_piece = of_most_digits([](const auto& integral) { return integral.of_pieces(); });
   for (std::size_t s = 0; s < seen_.size(); ++s) {
@@ -265,8 +303,13 @@ void EdgeSum3::tell(PairDetails3& details) {
     std::sort(told.surfaces.begin(), told.surfaces.end());
     for (std::size_t p = seen_[s].first_piece; p < end_of_pieces(s); ++p) {
       const StretchPiece3& piece = doubles_.with_arcs(static_cast<std::uint32_t>(p));
-      told.pieces.push_back({piece.low, piece.high, static_cast<std::uint32_t>(piece.arcs.size()),
-                             of_piece[p] / (2 * std::numbers::pi), piece.signature});
+      told.pieces.push_back({piece.low,
+                             piece.high,
+                             static_cast<std::uint32_t>(piece.arcs.size()),
+                             of_piece[p] / (2 * std::numbers::pi),
+                             piece.signature,
+                             {}});
+      if (details.wants_corners) told.pieces.back().corners = told_corners(stretch, piece);
     }
   }
 }

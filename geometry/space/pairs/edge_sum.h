@@ -54,6 +54,8 @@ class EdgeSum3 {
   void tell(PairDetails3& details);
 
  private:
+  bool is_of_patches_alone(std::uint32_t point) const;
+  std::vector<PairDetails3::Corner> told_corners(const PairStretch3& stretch, const StretchPiece3& piece);
   // A stretch along which something is seen.
   struct Seen {
     const PairStretch3* stretch;

@@ -306,6 +306,8 @@ struct PairMeasurer3::Prepared {
     all_members(details.hiders);
     for (PairDetails3::Stretch& stretch : details.stretches) {
       all_members(stretch.surfaces);
+      for (PairDetails3::Piece& piece : stretch.pieces)
+        for (PairDetails3::Corner& corner : piece.corners) all_members(corner.surfaces);
       std::erase_if(stretch.surfaces, [&](std::uint32_t s) {
         return !holds(polygons, s, stretch.from) || !holds(polygons, s, stretch.to);
       });

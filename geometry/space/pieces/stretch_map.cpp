@@ -421,6 +421,23 @@ MovingCorner3 StretchMapper3::corner_of(std::uint64_t label) {
   return planes_.corner({a, false}, {b, (label & 1) != 0});
 }
 
+std::vector<SightCorner3> StretchMapper3::corners_of(const PairStretch3& stretch, const StretchPiece3& piece) {
+  take(stretch);
+  std::vector<SeenArc3> arcs;
+  list_arcs(piece.signature, arcs);
+  std::vector<SightCorner3> result;
+  for (const std::uint64_t label : labels_) {
+    const MovingCorner3 corner = corner_of(label);
+    SightCorner3& told = result.emplace_back();
+    told.label = label;
+    if (corner.point != MovingCorner3::kNoPoint)
+      told.point = corner.point;
+    else
+      for (const PlaneSide3& side : {corner.first, corner.second}) planes_.tell(side.plane, told);
+  }
+  return result;
+}
+
 // Sets labels_ and planes_of_arcs_ too.
 void StretchMapper3::list_arcs(const std::vector<ArcEnd3>& signature, std::vector<SeenArc3>& arcs) {
   const std::size_t count = signature.size();

@@ -9,6 +9,7 @@
 
 #include "geometry/space/between/joined_bodies.h"
 #include "geometry/space/moving/moving_cone.h"
+#include "geometry/space/moving/sight_corner.h"
 #include "geometry/space/pieces/stretch_piece.h"
 #include "geometry/space/pieces/sure_part.h"
 #include "geometry/space/pieces/wide_piece.h"
@@ -50,6 +51,9 @@ class StretchMapper3 {
   bool divide(const PairStretch3& stretch, std::vector<StretchPiece3>& pieces);
   // Makes the arcs of one of these parts: at any time the same. REQUIRES that it has none.
   void make_arcs(const PairStretch3& stretch, StretchPiece3& piece);
+
+  // What the corners of a part are of, in their order. REQUIRES that it is one of that stretch, and has its arcs.
+  std::vector<SightCorner3> corners_of(const PairStretch3& stretch, const StretchPiece3& piece);
 
   // Where, on the stretch that was divided last, a part was too short to be looked at.
   const std::vector<double>& not_looked_at() const { return not_looked_at_; }

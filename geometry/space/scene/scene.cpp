@@ -1,5 +1,9 @@
 #include "geometry/space/scene/scene.h"
 
+#include <string_view>
+
+#include "geometry/name.h"
+
 namespace hottel {
 
 std::string camera_problem(const Camera3& camera) {
@@ -20,6 +24,21 @@ std::string grid_problem(const Grid3& grid) {
   if (!is_count(grid.nu) || !is_count(grid.nv))
     return "cells must be integers from 1 to " + std::to_string(kMaxGridCells3);
   return "";
+}
+
+std::string grid_name_problem_3(const std::string& name) {
+  constexpr std::size_t kMostBytes = 100;
+  if (const std::string_view problem = name_problem(name); !problem.empty()) return std::string(problem);
+  if (name.size() > kMostBytes) return "must not be longer than " + std::to_string(kMostBytes) + " bytes";
+  if (name.find_first_of("/\\:*?\"<>|") != std::string::npos)
+    return "must not contain / \\ : * ? \" < > or |: it is part of the names of files";
+  return "";
+}
+
+std::string names_of_grids(const Scene3& scene) {
+  std::string names;
+  for (const Grid3& grid : scene.grids) names += (names.empty() ? "" : ", ") + quoted_name(grid.name);
+  return names;
 }
 
 }  // namespace hottel

@@ -39,11 +39,13 @@ struct Mask3 {
 // The most cells of a grid along one of its sides.
 inline constexpr std::uint32_t kMaxGridCells3 = 16384;
 
-// Where light is asked for: nu times nv equal cells of the parallelogram from `origin` along u and along v.
+// Where light is asked for: nu times nv equal cells of the parallelogram from `origin` along u and along v. Of several
+// grids each has a name, which is part of the names of its files.
 struct Grid3 {
   Point3 origin;
   Vector3 u, v;
   std::uint32_t nu = 1, nv = 1;
+  std::string name{};
   friend bool operator==(const Grid3&, const Grid3&) = default;
 };
 
@@ -51,11 +53,16 @@ struct Grid3 {
 // nothing is: u and v span a plane, and there are 1 to kMaxGridCells3 cells along each.
 std::string grid_problem(const Grid3& grid);
 
+// Returns why a grid of several may not be called so, as the end of a sentence ("must not be empty"); empty when it
+// may: a name is well-formed UTF-8 of at most 100 bytes, can be part of the name of a file (no control characters, none
+// of / \ : * ? " < > |).
+std::string grid_name_problem_3(const std::string& name);
+
 // The scene, in the order of the file: polygons, then the faces of meshes.
 //
 //   (1) polygons[s] is where surfaces[s] of the table lies: as many of one as of the other
 //   (2) every polygon is one (polygon_problem): exactly plane, or nearly so, of positive area
-//   (3) the table is valid (SceneTable), and neither camera nor grid has a problem
+//   (3) the table is valid (SceneTable), and neither camera nor grids have a problem
 //   (4) masks ascend by surface; a mask and its base have materials, and lie in one plane, facing each other; a base is
 //       no mask, and neither is a patch. That masks lie within their bases, and beside each other, is required by
 //       Arrangement3
@@ -68,7 +75,7 @@ struct Scene3 : SceneTable {
   std::vector<Mask3> masks;
   std::vector<LightPlace3> light_places;
   std::optional<Camera3> camera;
-  std::optional<Grid3> grid;
+  std::vector<Grid3> grids;  // one of them may be without a name; else names differ
 
   // Puts a surface after all others.
   void add(Surface surface, Polygon3 polygon) {
@@ -85,5 +92,8 @@ struct Scene3 : SceneTable {
 // Throws InputError naming file, line and surface or light unless (2) to (6) hold; ContractViolation unless (1) does
 // and there are as many places as lights. COST: that of polygon_problem, and linear for each light.
 void validate(const Scene3& scene);
+
+// Returns what grids of a scene are called, for messages: 'floor', 'desk'.
+std::string names_of_grids(const Scene3& scene);
 
 }  // namespace hottel

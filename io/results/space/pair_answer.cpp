@@ -149,7 +149,7 @@ void add_stretches(const Scene3& scene, const PairReport3& report, Json& json) {
 }  // namespace
 
 VisibilityAnswer pair_answer(const Scene3& scene, const std::string& from, const std::string& to,
-                             const PairReport3& report) {
+                             const PairReport3& report, const std::string& form) {
   const char* const guarantee = hottel::to_string(report.is_enclosed() ? Guarantee::kEnclosed : Guarantee::kEstimated);
   const std::string why = reason(scene, report);
   Draft answer;
@@ -159,6 +159,8 @@ VisibilityAnswer pair_answer(const Scene3& scene, const std::string& from, const
   answer.add("exchange", "S, direct exchange area", report.exchange);
   answer.json["exchange"]["error"] = report.exchange.error;
   answer.json["exchange"]["guarantee"] = guarantee;
+  answer.json["exchange"]["exact"] = form.empty() ? Json() : Json(form);
+  if (!form.empty()) answer.text += fmt::format("  S = {}\n", form);
   answer.add("unobstructed", "S0, everything else removed", report.unobstructed);
   answer.json["visibility"] = nullptr;
   if (report.visibility) answer.add("visibility", "Vis = S / S0", *report.visibility);

@@ -17,7 +17,8 @@ struct Scene3;
 //   (1) the sky has neither area nor factor: null
 //   (2) roles of stretches: "source", an edge of `from` or `to`; "foot", where something stands on one of them or
 //       pierces it; "outline", an edge of what is between
+// form: S in closed form, in squares of the unit of the scene, where one is known; else empty: "exact" is null.
 VisibilityAnswer pair_answer(const Scene3& scene, const std::string& from, const std::string& to,
-                             const PairReport3& report);
+                             const PairReport3& report, const std::string& form);
 
 }  // namespace hottel

@@ -436,7 +436,7 @@ class MeshWriter3 {
     add(format_ != MeshFormat3::kObj &&
             std::ranges::any_of(scene_.groups, [](const Group& g) { return !g.body.empty(); }),
         "what is one body");
-    add(scene_.grid.has_value(), "the grid");
+    add(!scene_.grids.empty(), "the grid");
     add(scene_.camera.has_value(), "the camera");
     add(!scene_.expect.empty(), "expectations");
     add(!scene_.about.empty(), "the text about the scene");

@@ -44,7 +44,7 @@ class SpaceReader3 {
     if (materials) table_.read_materials(materials);
     refuse_plane_only(edges, "edges");
     refuse_plane_only(polylines, "polylines");
-    if (grid) read_grid(grid);
+    if (grid) read_grids(grid);
     if (lights) table_.read_lights(lights, [this](const LightEntry& entry) { read_light(entry); });
     if (polygons) read_polygons(polygons);
     if (mesh) read_meshes(mesh);
@@ -275,9 +275,36 @@ class SpaceReader3 {
     scene_.add_light(entry.light, std::move(place));
   }
 
-  void read_grid(const JsonValue& value) {
-    const auto [origin, u, v, cells] =
-        read_members(value, {"grid"}, std::array<std::string_view, 4>{"origin", "u", "v", "cells"});
+  // One grid, or a list of them with names.
+  void read_grids(const JsonValue& value) {
+    if (value.kind() != JsonKind::kArray) {
+      const auto [origin, u, v, cells] =
+          read_members(value, {"grid"}, std::array<std::string_view, 4>{"origin", "u", "v", "cells"});
+      scene_.grids.push_back(grid_of(value, origin, u, v, cells));
+      return;
+    }
+    if (value.size() == 0) refuse(value, "grid: the list is empty");
+    for (const JsonValue item : value.items()) {
+      const auto [name, origin, u, v, cells] =
+          read_members(item, {"grid"}, std::array<std::string_view, 5>{"name", "origin", "u", "v", "cells"});
+      require_member(name, "name", item, {"grid"});
+      Grid3 grid = grid_of(item, origin, u, v, cells);
+      grid.name = grid_name(name);
+      scene_.grids.push_back(std::move(grid));
+    }
+  }
+
+  std::string grid_name(const JsonValue& value) {
+    std::string name = read_string(value, {"grid", "name"});
+    if (const std::string problem = grid_name_problem_3(name); !problem.empty())
+      refuse(value, "grid: a name " + problem);
+    if (std::ranges::find(scene_.grids, name, &Grid3::name) != scene_.grids.end())
+      refuse(value, "grid: two are called " + quoted_name(name));
+    return name;
+  }
+
+  Grid3 grid_of(const JsonValue& value, const JsonValue& origin, const JsonValue& u, const JsonValue& v,
+                const JsonValue& cells) {
     require_member(origin, "origin", value, {"grid"});
     require_member(u, "u", value, {"grid"});
     require_member(v, "v", value, {"grid"});
@@ -294,7 +321,7 @@ class SpaceReader3 {
       count = &grid.nv;
     }
     if (const std::string problem = grid_problem(grid); !problem.empty()) refuse(value, "grid: " + problem);
-    scene_.grid = std::move(grid);
+    return grid;
   }
 
   void read_camera(const JsonValue& value) {

@@ -1,5 +1,6 @@
 #include "solver/space/light/illumination_grid.h"
 
+#include <algorithm>
 #include <limits>
 #include <span>
 
@@ -11,6 +12,11 @@
 #include "solver/space/light/sent_out.h"
 
 namespace hottel {
+
+std::optional<double> IlluminationGrid3::max_error() const {
+  if (errors.empty()) return std::nullopt;
+  return *std::ranges::max_element(errors);
+}
 
 Point3 cell_centre(const Grid3& grid, std::size_t cell) {
   const Rational s = Rational(2 * (cell % grid.nu) + 1) / Rational(2 * std::size_t{grid.nu});

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,7 +23,12 @@ struct IlluminationGrid3 {
   Grid3 grid;
   std::uint32_t channels = 1;
   std::vector<double> values;
-  double seconds = 0;  // what it took
+  double seconds = 0;            // what it took
+  std::vector<double> errors{};  // by cell, of averages: what their values may be off (average_irradiance.h)
+
+  bool is_average() const { return !errors.empty(); }
+  // The largest of the errors; nothing of light at points.
+  std::optional<double> max_error() const;
 
   double at(std::uint32_t iu, std::uint32_t iv, std::uint32_t channel = 0) const {
     return values[(std::size_t{iv} * grid.nu + iu) * channels + channel];

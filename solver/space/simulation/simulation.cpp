@@ -21,6 +21,7 @@
 #include "solver/radiosity/radiosity_sources.h"
 #include "solver/radiosity/scene_radiosities.h"
 #include "solver/space/dividing/estimate.h"
+#include "solver/space/light/average_irradiance.h"
 #include "solver/space/light/scene_light_shares.h"
 #include "solver/space/light/tested_shares.h"
 #include "solver/space/scene_memory.h"
@@ -56,6 +57,16 @@ ComputedFactors3 factors_by(const ExchangeMethod3& method, const PreparedScene3&
   result.notes = {method_sentence(method.info(), result.matrix.guarantee(), report)};
   result.notes.insert(result.notes.end(), report.notes.begin(), report.notes.end());
   return result;
+}
+
+// What is asked of the factors of cells: their bounds are what averages are for.
+ExchangeRequest request_of_cells(const FactorsRequest3& asked, const std::function<void(double)>& progress) {
+  return {.granularity = asked.granularity,
+          .tolerance = asked.tolerance,
+          .proves = true,
+          .sky = asked.sky,
+          .memory = memory_allowed(asked.memory),
+          .progress = progress};
 }
 
 ComputedFactors3 make_factors(const PreparedScene3& prepared, const FactorsRequest3& request,
@@ -199,7 +210,8 @@ struct Simulation3::Version {
     } else {
       set_system(keeps_system);
     }
-    if (keeps_radiosities && other->grid() == grid()) light = other->light;
+    if (keeps_radiosities && other->grid() == grid() && other->request.light.is_average == request.light.is_average)
+      light = other->light;
     if (light != nullptr && other->request.light.painter == request.light.painter) picture = other->picture;
     set_light();
   }
@@ -245,7 +257,10 @@ struct Simulation3::Version {
     set_light();
   }
 
-  const std::optional<Grid3>& grid() const { return request.light.grid ? request.light.grid : scene->grid; }
+  std::optional<Grid3> grid() const {
+    if (request.light.grid || scene->grids.empty()) return request.light.grid;
+    return scene->grids.front();
+  }
 
  private:
   void set_factors() {
@@ -317,12 +332,14 @@ struct Simulation3::Version {
     if (!grid()) return;
     if (light == nullptr)
       light = std::make_shared<Stage<IlluminationGrid3>>(
-          "illumination", [ready = prepared, solved = radiosities, where = *grid(),
-                           granularity = request.factors.granularity](const StageProgress& progress) {
+          "illumination", [ready = prepared, solved = radiosities, where = *grid(), asked = request.factors,
+                           is_average = request.light.is_average](const StageProgress& progress) {
             const auto solution = solved->get(progress);
             const auto there = ready->get(progress);
-            return naming_file(there->scene.file, [&] {
-              return illuminate_points(*there, granularity, *solution, where, telling("illumination", progress));
+            const auto told = telling("illumination", progress);
+            return naming_file_of_pairs(there->scene.file, [&] {
+              return is_average ? average_irradiance(*there, *solution, where, request_of_cells(asked, told))
+                                : illuminate_points(*there, asked.granularity, *solution, where, told);
             });
           });
     if (picture == nullptr && request.light.painter != nullptr)
@@ -391,7 +408,7 @@ bool are_alike_as_before_3(const std::vector<Material>& before, const std::vecto
 
 const Scene3& Simulation3::scene() const { return *version_->scene; }
 const SimulationRequest3& Simulation3::request() const { return version_->request; }
-const std::optional<Grid3>& Simulation3::grid() const { return version_->grid(); }
+std::optional<Grid3> Simulation3::grid() const { return version_->grid(); }
 
 std::shared_ptr<const Plan> Simulation3::plan(const StageProgress& progress) const {
   return version_->plan->get(progress);

@@ -79,8 +79,9 @@ class LightPainter3 {
 
 // Where light between the faces is asked for, and who draws it; painters are alike when they are the same object.
 struct LightRequest3 {
-  std::optional<Grid3> grid = {};                          // nothing: that of the scene
+  std::optional<Grid3> grid = {};                          // nothing: the first of the scene
   std::shared_ptr<const LightPainter3> painter = nullptr;  // null: no picture can be asked for
+  bool is_average = false;                                 // over cells (average_irradiance), not at their centres
   friend bool operator==(const LightRequest3&, const LightRequest3&) = default;
 };
 
@@ -137,7 +138,7 @@ class Simulation3 {
 
   const Scene3& scene() const;
   const SimulationRequest3& request() const;
-  const std::optional<Grid3>& grid() const;  // where light is asked for: the request's, else the scene's, else nowhere
+  std::optional<Grid3> grid() const;  // where light is asked for: the request's, else the scene's first
 
   // The stages. progress: as Stage::get() takes it; it is told of "view factors", "radiosity" and "illumination".
   std::shared_ptr<const Plan> plan(const StageProgress& progress = {}) const;

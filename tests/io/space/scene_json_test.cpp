@@ -183,8 +183,8 @@ TEST(SceneJson3, RefusesWrongCameras) {
 TEST(SceneJson3, ReadsAGridAndRefusesWrongOnes) {
   const auto with_grid = [](const std::string& members) { return scene_with("\"grid\": {" + members + "}"); };
   const std::string good = R"("origin": [0, "1/3", 1], "u": [2, 0, 0], "v": [0, 0.5, 0])";
-  EXPECT_EQ(parse(with_grid(good + R"(, "cells": [4, 3])")).grid,
-            (Grid3{{0, Rational(1) / 3, 1}, {2, 0, 0}, {0, Rational(1) / 2, 0}, 4, 3}));
+  const Grid3 grid{{0, Rational(1) / 3, 1}, {2, 0, 0}, {0, Rational(1) / 2, 0}, 4, 3};
+  EXPECT_EQ(parse(with_grid(good + R"(, "cells": [4, 3])")).grids, std::vector{grid});
   EXPECT_EQ(refusal(with_grid(good)), "in/scene.json:3: grid has no \"cells\"");
   EXPECT_THAT(refusal(with_grid(good + ", \"cells\": [4]")), HasSubstr("two numbers, along u and along v"));
   EXPECT_THAT(refusal(with_grid(good + ", \"cells\": [4, 0]")), HasSubstr("grid: cells must be an integer"));
@@ -192,6 +192,27 @@ TEST(SceneJson3, ReadsAGridAndRefusesWrongOnes) {
   EXPECT_THAT(refusal(with_grid(R"("origin": [0,0,0], "u": [1,2,3], "v": [2,4,6], "cells": [1,1])")),
               HasSubstr("grid: u and v are parallel, or one is zero"));
   EXPECT_THAT(refusal(with_grid(R"("min": [0,0], "max": [1,1], "cells": [1,1])")), HasSubstr("unknown key 'min'"));
+}
+
+TEST(SceneJson3, ReadsAListOfGridsWithNames) {
+  const std::string place = R"("origin": [0, 0, 1], "u": [2, 0, 0], "v": [0, 1, 0], "cells": [4, 3])";
+  const auto with_grids = [&](const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names)
+      list += (list.empty() ? "{" : ", {") + (name.empty() ? "" : "\"name\": \"" + name + "\", ") + place + "}";
+    return scene_with("\"grid\": [" + list + "]");
+  };
+  const Scene3 scene = parse(with_grids({"floor", "desk 1"}));
+  ASSERT_EQ(scene.grids.size(), 2u);
+  EXPECT_EQ(scene.grids[0].name, "floor");
+  EXPECT_EQ(scene.grids[1], (Grid3{{0, 0, 1}, {2, 0, 0}, {0, 1, 0}, 4, 3, "desk 1"}));
+  EXPECT_EQ(parse(write_scene_3(scene)).grids, scene.grids);
+  EXPECT_EQ(parse(write_scene_3(parse(with_grids({"a"})))).grids, parse(with_grids({"a"})).grids);
+  EXPECT_THAT(refusal(with_grids({})), HasSubstr("grid: the list is empty"));
+  EXPECT_THAT(refusal(with_grids({""})), HasSubstr("grid has no \"name\""));
+  EXPECT_THAT(refusal(with_grids({"a", "a"})), HasSubstr("grid: two are called 'a'"));
+  EXPECT_THAT(refusal(with_grids({"a/b"})), HasSubstr("part of the names of files"));
+  EXPECT_THAT(refusal(with_grids({std::string(101, 'a')})), HasSubstr("longer than 100 bytes"));
 }
 
 TEST(SceneJson3, AddsMeshesAfterPolygons) {
@@ -313,7 +334,7 @@ TEST(SceneJson3, KeepsTheDimensionsApart) {
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "s.json:2: the scene is in space (dimension 3); this command works in the plane");
     ASSERT_EQ(error.hints().size(), 1u);
-    EXPECT_THAT(error.hints()[0], HasSubstr("all commands work but for `hottel visibility` with --edge, "));
+    EXPECT_THAT(error.hints()[0], HasSubstr("all commands work but for `hottel visibility` with --edge "));
   }
   EXPECT_TRUE(std::holds_alternative<Scene2>(parse_scene(plane, "s.json")));
   EXPECT_TRUE(std::holds_alternative<Scene3>(parse_scene("{\"hottel\": 1, \"dimension\": 3}", "s.json")));
@@ -385,7 +406,7 @@ void expect_same(const Scene3& a, const Scene3& b) {
   EXPECT_EQ(a.sky_emission, b.sky_emission);
   EXPECT_EQ(a.closed, b.closed);
   EXPECT_EQ(a.camera, b.camera);
-  EXPECT_EQ(a.grid, b.grid);
+  EXPECT_EQ(a.grids, b.grids);
   EXPECT_EQ(a.expect.size(), b.expect.size());
 }
 
@@ -428,7 +449,9 @@ TEST(WriteScene3, ReadsBackToTheSameSceneWhateverTheNumbers) {
       scene.add(surface, polygon);
     }
     if (random() % 2) scene.camera = Camera3{{number(), number(), number()}, {0, 0, 0}, {0, 1, number()}, 50, 3, 4};
-    if (random() % 2) scene.grid = Grid3{{number(), number(), 1}, {1, 0, number()}, {number(), 2, 0}, 3, 4};
+    if (random() % 2) scene.grids = {{{number(), number(), 1}, {1, 0, number()}, {number(), 2, 0}, 3, 4}};
+    if (random() % 2) scene.grids.push_back({{number(), 0, 1}, {1, 0, 0}, {number(), 2, 0}, 3, 4, "second"});
+    if (scene.grids.size() == 2) scene.grids[0].name = "first 1";
     validate(scene);
     expect_same(scene, parse(write_scene_3(scene)));
   }

@@ -157,13 +157,13 @@ class CountingPainter : public LightPainter3 {
 // (3), (4): light is a stage like the others.
 TEST(Simulation3, LightIsMadeOnceAndDroppedByWhatItIsMadeFrom) {
   Scene3 scene = cube();
-  scene.grid = Grid3{{0, 0, Rational(1, 2)}, {1, 0, 0}, {0, 1, 0}, 3, 2};
+  scene.grids = {{{0, 0, Rational(1, 2)}, {1, 0, 0}, {0, 1, 0}, 3, 2}};
   const auto painter = std::make_shared<const CountingPainter>();
   const Simulation3 simulation(scene, {.light = {.painter = painter}});
   const auto light = simulation.light();
   EXPECT_EQ(
       light->values,
-      illuminate_points(*simulation.prepared(), Granularity::kFace, *simulation.radiosities(), *scene.grid).values);
+      illuminate_points(*simulation.prepared(), Granularity::kFace, *simulation.radiosities(), scene.grids[0]).values);
   EXPECT_EQ(simulation.light(), light);
   EXPECT_EQ(simulation.picture()->bytes, "6");
   EXPECT_EQ(simulation.picture(), simulation.picture());
@@ -173,7 +173,7 @@ TEST(Simulation3, LightIsMadeOnceAndDroppedByWhatItIsMadeFrom) {
   request.plan.everything = true;
   EXPECT_EQ(simulation.with_request(request).light(), light);
   EXPECT_EQ(simulation.with_request(request).picture(), simulation.picture());
-  request.light.grid = scene.grid;  // the same, said once more
+  request.light.grid = scene.grids[0];  // the same, said once more
   EXPECT_EQ(simulation.with_request(request).light(), light);
   request.light.painter = std::make_shared<const CountingPainter>();
   EXPECT_EQ(simulation.with_request(request).light(), light);
@@ -184,6 +184,10 @@ TEST(Simulation3, LightIsMadeOnceAndDroppedByWhatItIsMadeFrom) {
   EXPECT_EQ(finer.light()->values.size(), 8u);
   EXPECT_EQ(finer.picture()->bytes, "8");
   EXPECT_NE(simulation.with_request({.system = {.solver = Solver::kLu}}).light(), light);
+  request = simulation.request();
+  request.light.is_average = true;
+  EXPECT_NE(simulation.with_request(request).light(), light);
+  EXPECT_TRUE(simulation.with_request(request).light()->is_average());
 
   std::vector<Material> materials = scene.materials;
   materials[0].emission = Spectrum::scalar(Rational(1) / 3);
@@ -196,7 +200,7 @@ TEST(Simulation3, LightIsMadeOnceAndDroppedByWhatItIsMadeFrom) {
 
 TEST(Simulation3, LightIsToldOfAndCanBeCancelled) {
   Scene3 scene = cube();
-  scene.grid = Grid3{{0, 0, Rational(1, 2)}, {1, 0, 0}, {0, 1, 0}, 500, 500};
+  scene.grids = {{{0, 0, Rational(1, 2)}, {1, 0, 0}, {0, 1, 0}, 500, 500}};
   const Simulation3 simulation(scene);
   simulation.radiosities();
   EXPECT_THROW(simulation.light([](std::string_view stage, double) {

@@ -12,19 +12,14 @@
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
 #include "viewer/picture/cairo_canvas.h"
+#include "viewer/picture/light_contours.h"
 #include "viewer/picture/palette.h"
 #include "viewer/picture/plane/axes.h"
-#include "viewer/picture/plane/contour_set.h"
-#include "viewer/picture/plane/smoothed_field.h"
 #include "viewer/picture/plane/solid_polygons.h"
 #include "viewer/picture/scale_bar.h"
 
 namespace hottel {
 namespace {
-
-constexpr double kBeyondLevels = 16;  // how far values may lie beyond levels, as to contours
-constexpr double kCellsBlended = 1;   // the deviation by which light is blended for contours
-constexpr double kLeastContour = 14;  // units across
 
 struct PixelsPerCell {
   std::uint32_t across, up;
@@ -48,14 +43,6 @@ PixelsPerCell pixels_per_cell(const Grid2& grid, const IlluminationPicture2& pic
 // Letters stay readable in small pictures.
 double letters(double unit) { return std::max(unit, 0.6); }
 
-// What is shown in lines of equal light: of two bands the solar one.
-double shown_mean(std::span<const double> value) {
-  if (value.size() == 2) return value[0];
-  double sum = 0;
-  for (const double v : value) sum += v;
-  return sum / static_cast<double>(value.size());
-}
-
 Frame2 frame_around(const Grid2& grid, const LightPixels2& pixels, bool has_axes, double unit) {
   const double wide = pixels.width(), high = pixels.height();
   if (!has_axes) return {grid.min, grid.max, wide, high};
@@ -66,7 +53,7 @@ Frame2 frame_around(const Grid2& grid, const LightPixels2& pixels, bool has_axes
 }
 
 // Cuts the squares that come near an edge: light differs on its two sides.
-void cut_along(Pixel a, Pixel b, Pixel origin, PixelField2& field) {
+void cut_along(Pixel a, Pixel b, Pixel origin, PixelField& field) {
   if (field.width < 2 || field.height < 2) return;
   if (field.cut.empty()) field.cut.assign(std::size_t{field.width - 1} * (field.height - 1), false);
   // In squares: the centre of pixel (0, 0) is the corner of square (0, 0).
@@ -146,15 +133,7 @@ Raster toned_pixels_2(const IlluminationGrid2& grid, const LightPixels2& pixels,
 }
 
 std::vector<double> light_contours_2(const IlluminationGrid2& grid, int contours) {
-  if (contours <= 0) return {};
-  double least = std::numeric_limits<double>::infinity(), most = 0;
-  for (std::size_t k = 0; k < grid.values.size(); k += grid.channels) {
-    const double value = shown_mean(std::span(grid.values).subspan(k, grid.channels));
-    if (!(value > 0) || std::isinf(value)) continue;
-    least = std::min(least, value);
-    most = std::max(most, value);
-  }
-  return most > 0 ? contour_levels_2(least, most, contours) : std::vector<double>();
+  return light_contours(grid.values, grid.channels, contours);
 }
 
 IlluminationPainter2::IlluminationPainter2(const PreparedScene2& prepared, const IlluminationGrid2& grid,
@@ -171,14 +150,16 @@ IlluminationPainter2::IlluminationPainter2(const PreparedScene2& prepared, const
 
 void IlluminationPainter2::draw(PictureCanvas& canvas) const {
   canvas.image(Mark::kLight, frame_.top_left(), frame_.bottom_right(), toned_pixels_2(grid_, pixels_, tone_), false);
-  if (!contours_.empty()) draw_contours(canvas);
+  if (!contours_.empty())
+    draw_light_contours(canvas, field(), contours_, pixels_.width() / static_cast<double>(grid_.grid.nx),
+                        frame_.top_left(), letters(unit_));
   plan_.draw(canvas, tone_);
   if (has_axes_) draw_margins(canvas);
 }
 
 // The pixels before they are toned, the top row first, cut where edges run.
-PixelField2 IlluminationPainter2::field() const {
-  PixelField2 field{pixels_.width(), pixels_.height(), {}, {}};
+PixelField IlluminationPainter2::field() const {
+  PixelField field{pixels_.width(), pixels_.height(), {}, {}};
   field.values.resize(std::size_t{field.width} * field.height);
   const std::uint32_t up = field.height / grid_.grid.ny;
   parallel_for(grid_.grid.ny, [&](std::size_t iy) {
@@ -196,21 +177,6 @@ PixelField2 IlluminationPainter2::field() const {
   for (std::uint32_t s = 0; s < edges.surfaces(); ++s)
     cut_along(edges.at[edges.from[s]], edges.at[edges.to[s]], frame_.top_left(), field);
   return field;
-}
-
-// By logarithms: light spans decades, and one lamp does not lift what is around it.
-void IlluminationPainter2::draw_contours(PictureCanvas& canvas) const {
-  const double low = contours_.front() / kBeyondLevels, high = contours_.back() * kBeyondLevels;
-  PixelField2 logs = field();
-  for (float& value : logs.values) value = static_cast<float>(std::log(std::clamp<double>(value, low, high)));
-  logs = smoothed_2(std::move(logs), kCellsBlended * logs.width / grid_.grid.nx);
-  std::vector<double> levels;
-  for (const double level : contours_) levels.push_back(std::log(level));
-  const double size = letters(unit_);
-  const std::vector<Contour2> contours = contour_set_2(logs, levels, kLeastContour * size);
-  std::vector<std::string> names;
-  for (const Contour2& contour : contours) names.push_back(fmt::format("{:.6g}", std::exp(contour.level)));
-  draw_contours_2(canvas, contours, names, logs, frame_.top_left(), size);
 }
 
 // Paper around the light, over what the plan draws there.

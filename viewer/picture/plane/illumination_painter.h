@@ -8,7 +8,7 @@
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/plane/light/light_values.h"
 #include "viewer/picture/canvas.h"
-#include "viewer/picture/plane/contours.h"
+#include "viewer/picture/contours.h"
 #include "viewer/picture/plane/corners.h"
 #include "viewer/picture/plane/frame.h"
 #include "viewer/picture/plane/illumination_picture.h"
@@ -50,7 +50,7 @@ Raster toned_pixels_2(const IlluminationGrid2& grid, const LightPixels2& pixels,
 //       top row is the largest y, each cell is the same number of whole pixels, at least one
 //   (2) before tone mapping the pixels are those of LightPixels2 with the scene as walls; without a value: grey
 //   (3) contours run where the pixels of (2), the mean of all channels, have their level, once what is finer than cells
-//       is blended (smoothed_2); they cross neither walls nor each other, and each has one label at most
+//       is blended (smoothed_field); they cross neither walls nor each other, and each has one label at most
 //
 // Throws UsageError when the grid has more cells along a side than a picture may have pixels.
 // COST: about 0.3 s for a picture of 1500 x 1200.
@@ -68,8 +68,7 @@ class IlluminationPainter2 {
   void draw(PictureCanvas& canvas) const;
 
  private:
-  PixelField2 field() const;
-  void draw_contours(PictureCanvas& canvas) const;
+  PixelField field() const;
   void draw_margins(PictureCanvas& canvas) const;
 
   const IlluminationGrid2& grid_;

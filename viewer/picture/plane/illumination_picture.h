@@ -25,7 +25,7 @@ struct IlluminationPicture2 {
   int contours = 0;                          // about so many lines of equal light, at most (light_contours_2)
 };
 
-// Returns the levels of lines of equal light for a picture of a grid: round ones, at most so many (contour_levels_2),
+// Returns the levels of lines of equal light for a picture of a grid: round ones, at most so many (contour_levels),
 // in what the grid holds; of three channels their mean counts. None for 0.
 std::vector<double> light_contours_2(const IlluminationGrid2& grid, int contours);
 

@@ -1,4 +1,4 @@
-#include "viewer/picture/plane/contour_set.h"
+#include "viewer/picture/contour_set.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ struct Segment {
 // Segments by the squares of the picture that they come near.
 class SegmentBuckets {
  public:
-  void add(const Polyline2& line, std::uint32_t number) {
+  void add(const PixelLine& line, std::uint32_t number) {
     for (std::uint32_t k = 0; k + 1 < line.size(); ++k)
       for_each_bucket(line[k], line[k + 1], [&](std::uint64_t bucket) { buckets_[bucket].push_back({number, k}); });
   }
@@ -54,13 +54,13 @@ bool do_meet(const Pixel& a, const Pixel& b, const Pixel& c, const Pixel& d) {
 }
 
 // Segments that follow each other on one line share a point.
-bool are_neighbours(const Polyline2& line, std::uint32_t a, std::uint32_t b) {
+bool are_neighbours(const PixelLine& line, std::uint32_t a, std::uint32_t b) {
   const std::uint32_t last = static_cast<std::uint32_t>(line.size()) - 2;
   return a + 1 >= b || (a == 0 && b == last && line.front() == line.back());
 }
 
 // By line: whether it meets another one, or itself.
-std::vector<bool> tangled(const std::vector<Polyline2>& lines) {
+std::vector<bool> tangled(const std::vector<PixelLine>& lines) {
   SegmentBuckets buckets;
   for (std::uint32_t k = 0; k < lines.size(); ++k) buckets.add(lines[k], k);
   std::vector<bool> is_tangled(lines.size(), false);
@@ -78,9 +78,9 @@ std::vector<bool> tangled(const std::vector<Polyline2>& lines) {
 }
 
 // Those that would meet others stay as they are.
-std::vector<Polyline2> simplified_apart(const std::vector<Polyline2>& lines) {
-  std::vector<Polyline2> result;
-  for (const Polyline2& line : lines) result.push_back(simplified_2(line, kSimpler));
+std::vector<PixelLine> simplified_apart(const std::vector<PixelLine>& lines) {
+  std::vector<PixelLine> result;
+  for (const PixelLine& line : lines) result.push_back(simplified_line(line, kSimpler));
   for (bool is_changed = true; is_changed;) {
     is_changed = false;
     const std::vector<bool> is_tangled = tangled(result);
@@ -93,13 +93,13 @@ std::vector<Polyline2> simplified_apart(const std::vector<Polyline2>& lines) {
   return result;
 }
 
-double size_of(const Polyline2& line) {
+double size_of(const PixelLine& line) {
   const auto [left, right] = std::ranges::minmax(line, {}, &Pixel::x);
   const auto [top, bottom] = std::ranges::minmax(line, {}, &Pixel::y);
   return std::hypot(right.x - left.x, bottom.y - top.y);
 }
 
-double length_of(const Polyline2& line) {
+double length_of(const PixelLine& line) {
   double length = 0;
   for (std::size_t k = 1; k < line.size(); ++k)
     length += std::hypot(line[k].x - line[k - 1].x, line[k].y - line[k - 1].y);
@@ -107,7 +107,7 @@ double length_of(const Polyline2& line) {
 }
 
 // The place on a line so far from its begin.
-Pixel along(const Polyline2& line, double way) {
+Pixel along(const PixelLine& line, double way) {
   for (std::size_t k = 1; k < line.size(); ++k) {
     const Pixel &a = line[k - 1], &b = line[k];
     const double step = std::hypot(b.x - a.x, b.y - a.y);
@@ -137,14 +137,14 @@ struct Box {
 // Where labels may lie, in pixels of the field.
 class LabelPlaces {
  public:
-  LabelPlaces(std::span<const Contour2> contours, const PixelField2& field, double size)
+  LabelPlaces(std::span<const Contour> contours, const PixelField& field, double size)
       : contours_(contours), field_(field), size_(size) {
     for (std::uint32_t k = 0; k < contours.size(); ++k) buckets_.add(contours[k].line, k);
   }
 
   // The middle of the label of a line, so wide; nothing where there is no room.
   std::optional<Pixel> place(std::uint32_t number, double wide) {
-    const Polyline2& line = contours_[number].line;
+    const PixelLine& line = contours_[number].line;
     const double length = length_of(line), step = 6 * size_;
     if (length < 2.5 * wide) return std::nullopt;
     for (const bool keeps_off_lines : {true, false})
@@ -179,23 +179,23 @@ class LabelPlaces {
       const auto found = buckets_.all().find(bucket);
       if (has || found == buckets_.all().end()) return;
       has = std::ranges::any_of(found->second, [&](const Segment& s) {
-        const Polyline2& line = contours_[s.line].line;
+        const PixelLine& line = contours_[s.line].line;
         return s.line != number && box.meets(line[s.place], line[s.place + 1]);
       });
     });
     return has;
   }
 
-  std::span<const Contour2> contours_;
-  const PixelField2& field_;
+  std::span<const Contour> contours_;
+  const PixelField& field_;
   double size_;
   SegmentBuckets buckets_;
   std::vector<Box> taken_;
 };
 
-void draw_lines(PictureCanvas& canvas, std::span<const Contour2> contours, Pixel origin, double size) {
+void draw_lines(PictureCanvas& canvas, std::span<const Contour> contours, Pixel origin, double size) {
   for (const auto& [colour, wide] : {std::pair(palette::kInk.with_alpha(0.55), 2.8), std::pair(palette::kPaper, 1.2)})
-    for (const Contour2& contour : contours)
+    for (const Contour& contour : contours)
       for (std::size_t k = 1; k < contour.line.size(); ++k) {
         const Pixel &a = contour.line[k - 1], &b = contour.line[k];
         canvas.stroke(Mark::kCurve, {a.x + origin.x, a.y + origin.y}, {b.x + origin.x, b.y + origin.y}, colour,
@@ -205,23 +205,23 @@ void draw_lines(PictureCanvas& canvas, std::span<const Contour2> contours, Pixel
 
 }  // namespace
 
-std::vector<Contour2> contour_set_2(const PixelField2& field, std::span<const double> levels, double least) {
-  std::vector<Polyline2> lines;
+std::vector<Contour> contour_set(const PixelField& field, std::span<const double> levels, double least) {
+  std::vector<PixelLine> lines;
   std::vector<double> level_of;
   for (const double level : levels)
-    for (Polyline2& line : contour_lines(field, level))
+    for (PixelLine& line : contour_lines(field, level))
       if (size_of(line) >= least) {
         lines.push_back(std::move(line));
         level_of.push_back(level);
       }
   lines = simplified_apart(lines);
-  std::vector<Contour2> result;
+  std::vector<Contour> result;
   for (std::size_t k = 0; k < lines.size(); ++k) result.push_back({level_of[k], std::move(lines[k])});
   return result;
 }
 
-void draw_contours_2(PictureCanvas& canvas, std::span<const Contour2> contours, std::span<const std::string> names,
-                     const PixelField2& field, Pixel origin, double size) {
+void draw_contours(PictureCanvas& canvas, std::span<const Contour> contours, std::span<const std::string> names,
+                   const PixelField& field, Pixel origin, double size) {
   HOTTEL_REQUIRE(names.size() == contours.size());
   draw_lines(canvas, contours, origin, size);
   LabelPlaces places(contours, field, size);

@@ -1,4 +1,4 @@
-#include "viewer/picture/plane/smoothed_field.h"
+#include "viewer/picture/smoothed_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ void average(Strand& strand, std::size_t radius) {
 
 class Field {
  public:
-  explicit Field(PixelField2& field) : field_(field) {}
+  explicit Field(PixelField& field) : field_(field) {}
 
   Strand row(std::uint32_t y) const {
     Strand strand;
@@ -81,12 +81,12 @@ class Field {
     return !field_.cut.empty() && field_.cut[y * (field_.width - 1) + x];
   }
 
-  PixelField2& field_;
+  PixelField& field_;
 };
 
 }  // namespace
 
-PixelField2 smoothed_2(PixelField2 field, double deviation) {
+PixelField smoothed_field(PixelField field, double deviation) {
   if (field.width < 2 || field.height < 2) return field;
   // Boxes of this radius three times over have the deviation sqrt(radius (radius + 1)).
   const auto radius = static_cast<std::size_t>(std::max(1.0, std::round(std::hypot(deviation, 0.5) - 0.5)));

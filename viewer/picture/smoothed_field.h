@@ -1,7 +1,7 @@
 // A field of pixels without what is finer than its cells.
 #pragma once
 
-#include "viewer/picture/plane/contours.h"
+#include "viewer/picture/contours.h"
 
 namespace hottel {
 
@@ -13,6 +13,6 @@ namespace hottel {
 //   (2) no value leaves the range of those that it is a mean of; NaN stays NaN
 //   (3) equal values stay, but for roundings; a field that rises evenly stays, farther than 3 deviations from its ends
 // COST: some 50 ns a pixel, on all threads, whatever the deviation.
-PixelField2 smoothed_2(PixelField2 field, double deviation);
+PixelField smoothed_field(PixelField field, double deviation);
 
 }  // namespace hottel

@@ -1,5 +1,5 @@
 // Lines along which a field of pixels has one value.
-#include "viewer/picture/plane/contours.h"
+#include "viewer/picture/contours.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "tests/viewer/plane/pixel_fields.h"
+#include "tests/viewer/pixel_fields.h"
 
 namespace hottel::contours_test {
 namespace {
@@ -18,7 +18,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 TEST(Contours2, OfACircleAreThatCircleClosed) {
-  const PixelField2 round = field(40, 30, [](double x, double y) { return std::hypot(x - 20, y - 15); });
+  const PixelField round = field(40, 30, [](double x, double y) { return std::hypot(x - 20, y - 15); });
   const auto lines = contour_lines(round, 10);
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_EQ(lines[0].front(), lines[0].back());
@@ -28,12 +28,12 @@ TEST(Contours2, OfACircleAreThatCircleClosed) {
 
 TEST(Contours2, HaveTheLevelWhereTheyMeetSidesOfSquares) {
   std::mt19937 random(3);
-  PixelField2 rough = field(50, 40, [&](double, double) { return static_cast<double>(random() % 1000); });
+  PixelField rough = field(50, 40, [&](double, double) { return static_cast<double>(random() % 1000); });
   const float nan = std::numeric_limits<float>::quiet_NaN();
   rough.values[777] = nan;
   std::size_t points = 0, sides = 0;
   const double level = 500.5;
-  for (const Polyline2& line : contour_lines(rough, level))
+  for (const PixelLine& line : contour_lines(rough, level))
     for (std::size_t k = 0; k < line.size(); ++k) {
       const double x = line[k].x - 0.5, y = line[k].y - 0.5;
       ASSERT_TRUE(x == std::floor(x) || y == std::floor(y)) << "on a side";
@@ -63,19 +63,19 @@ TEST(Contours2, HaveTheLevelWhereTheyMeetSidesOfSquares) {
 }
 
 TEST(Contours2, DoNotRunThroughWallsNorWhereThereIsNoValue) {
-  PixelField2 slope = field(9, 9, [](double x, double) { return x; });
+  PixelField slope = field(9, 9, [](double x, double) { return x; });
   slope.cut.assign(64, false);
   for (std::size_t x = 0; x < 8; ++x) slope.cut[4 * 8 + x] = true;  // a wall across, between the rows 4 and 5
   const auto lines = contour_lines(slope, 3);
   ASSERT_EQ(lines.size(), 2u);
-  for (const Polyline2& line : lines)
+  for (const PixelLine& line : lines)
     for (const Pixel& p : line) EXPECT_TRUE(p.x == 3 && (p.y <= 4.5 || p.y >= 5.5));
 }
 
 TEST(Contours2, SimplifiedStayWithinTheTolerance) {
-  Polyline2 wave;
+  PixelLine wave;
   for (int k = 0; k <= 400; ++k) wave.push_back({k * 0.5, 20 * std::sin(k * 0.05)});
-  const Polyline2 few = simplified_2(wave, 0.25);
+  const PixelLine few = simplified_line(wave, 0.25);
   EXPECT_LT(few.size(), 60u);
   EXPECT_EQ(few.front(), wave.front());
   EXPECT_EQ(few.back(), wave.back());
@@ -90,16 +90,16 @@ TEST(Contours2, SimplifiedStayWithinTheTolerance) {
 }
 
 TEST(Contours2, LevelsAreRoundAndInside) {
-  EXPECT_THAT(contour_levels_2(0.3, 12, 10), ElementsAre(0.5, 1, 2, 5, 10));
-  EXPECT_THAT(contour_levels_2(0.3, 12, 3), ElementsAre(1, 3, 10));
-  EXPECT_THAT(contour_levels_2(0.3, 12, 2), ElementsAre(1, 10));
-  EXPECT_THAT(contour_levels_2(2, 4.5, 5), ElementsAre(3, 4));
-  EXPECT_THAT(contour_levels_2(2, 4.5, 6), ElementsAre(2.5, 3, 3.5, 4));
-  EXPECT_THAT(contour_levels_2(1.1, 1.5, 6), ElementsAre(1.2, 1.3, 1.4));
-  EXPECT_THAT(contour_levels_2(1e-9, 1e3, 5), ElementsAre(1e-6, 1e-3, 1));
-  EXPECT_THAT(contour_levels_2(0, 4.5, 5), ElementsAre(1, 2, 3, 4));
-  EXPECT_THAT(contour_levels_2(0, 0, 5), IsEmpty());
-  EXPECT_THAT(contour_levels_2(3, 3, 5), IsEmpty());
+  EXPECT_THAT(contour_levels(0.3, 12, 10), ElementsAre(0.5, 1, 2, 5, 10));
+  EXPECT_THAT(contour_levels(0.3, 12, 3), ElementsAre(1, 3, 10));
+  EXPECT_THAT(contour_levels(0.3, 12, 2), ElementsAre(1, 10));
+  EXPECT_THAT(contour_levels(2, 4.5, 5), ElementsAre(3, 4));
+  EXPECT_THAT(contour_levels(2, 4.5, 6), ElementsAre(2.5, 3, 3.5, 4));
+  EXPECT_THAT(contour_levels(1.1, 1.5, 6), ElementsAre(1.2, 1.3, 1.4));
+  EXPECT_THAT(contour_levels(1e-9, 1e3, 5), ElementsAre(1e-6, 1e-3, 1));
+  EXPECT_THAT(contour_levels(0, 4.5, 5), ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(contour_levels(0, 0, 5), IsEmpty());
+  EXPECT_THAT(contour_levels(3, 3, 5), IsEmpty());
 }
 
 }  // namespace

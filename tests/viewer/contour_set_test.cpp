@@ -1,5 +1,5 @@
 // Contours of several levels: blended fields, lines that do not tangle, one label a line.
-#include "viewer/picture/plane/contour_set.h"
+#include "viewer/picture/contour_set.h"
 
 #include <gtest/gtest.h>
 
@@ -11,23 +11,23 @@
 #include <string>
 #include <vector>
 
-#include "tests/viewer/plane/pixel_fields.h"
-#include "viewer/picture/plane/smoothed_field.h"
+#include "tests/viewer/pixel_fields.h"
 #include "viewer/picture/recording_canvas.h"
+#include "viewer/picture/smoothed_field.h"
 
 namespace hottel::contour_set_test {
 namespace {
 
 using pixel_fields::field;
 
-PixelField2 rough_field() {
+PixelField rough_field() {
   std::mt19937 random(5);
   return field(200, 150, [&](double x, double y) {
     return 0.02 * x + std::sin(x / 9) + std::cos(y / 7) + static_cast<double>(random() % 1000) / 700;
   });
 }
 
-double roughness(const PixelField2& field) {
+double roughness(const PixelField& field) {
   double sum = 0;
   for (std::size_t k = 1; k < field.values.size(); ++k)
     if (k % field.width != 0) sum += std::fabs(field.values[k] - field.values[k - 1]);
@@ -35,20 +35,20 @@ double roughness(const PixelField2& field) {
 }
 
 TEST(SmoothedField2, BlendsWhatIsFine) {
-  EXPECT_LT(roughness(smoothed_2(rough_field(), 4)), 0.2 * roughness(rough_field()));
-  const PixelField2 slope = field(60, 40, [](double x, double y) { return 3 * x - y; });
-  const PixelField2 same = smoothed_2(slope, 5);
+  EXPECT_LT(roughness(smoothed_field(rough_field(), 4)), 0.2 * roughness(rough_field()));
+  const PixelField slope = field(60, 40, [](double x, double y) { return 3 * x - y; });
+  const PixelField same = smoothed_field(slope, 5);
   for (std::size_t k = 0; k < slope.values.size(); ++k) EXPECT_NEAR(same.values[k], slope.values[k], 1e-4);
 }
 
 TEST(SmoothedField2, DoesNotBlendThroughWalls) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  PixelField2 two = field(40, 40, [](double x, double y) { return x < y ? 0.0 : 1.0; });
+  PixelField two = field(40, 40, [](double x, double y) { return x < y ? 0.0 : 1.0; });
   two.cut.assign(39 * 39, false);
   for (std::size_t y = 0; y < 39; ++y)
     for (std::size_t x = 0; x < 39; ++x) two.cut[y * 39 + x] = x <= y + 1 && y <= x + 1;  // a wall along the diagonal
   two.values[5 * 40 + 20] = nan;
-  const PixelField2 after = smoothed_2(two, 4);
+  const PixelField after = smoothed_field(two, 4);
   for (std::size_t k = 0; k < two.values.size(); ++k)
     if (k == 5 * 40 + 20) {
       EXPECT_TRUE(std::isnan(after.values[k]));
@@ -68,9 +68,9 @@ bool do_cross(const Pixel& a, const Pixel& b, const Pixel& c, const Pixel& d) {
 TEST(ContourSet2, LinesDoNotCross) {
   std::vector<double> levels;
   for (double level = -1.9; level < 7; level += 0.03) levels.push_back(level);
-  const std::vector<Contour2> contours = contour_set_2(smoothed_2(rough_field(), 3), levels, 10);
+  const std::vector<Contour> contours = contour_set(smoothed_field(rough_field(), 3), levels, 10);
   std::vector<std::pair<Pixel, Pixel>> segments;
-  for (const Contour2& contour : contours)
+  for (const Contour& contour : contours)
     for (std::size_t k = 1; k < contour.line.size(); ++k) segments.emplace_back(contour.line[k - 1], contour.line[k]);
   std::ranges::sort(segments, {}, [](const auto& s) { return std::min(s.first.x, s.second.x); });
   std::size_t compared = 0;
@@ -86,11 +86,11 @@ TEST(ContourSet2, LinesDoNotCross) {
 }
 
 TEST(ContourSet2, SpecksAreLeftOut) {
-  const PixelField2 rough = smoothed_2(rough_field(), 1);
+  const PixelField rough = smoothed_field(rough_field(), 1);
   const std::vector<double> levels{1, 2, 3};
-  const auto all = contour_set_2(rough, levels, 0), some = contour_set_2(rough, levels, 25);
+  const auto all = contour_set(rough, levels, 0), some = contour_set(rough, levels, 25);
   EXPECT_GT(all.size(), some.size());
-  for (const Contour2& contour : some) {
+  for (const Contour& contour : some) {
     const auto [left, right] = std::ranges::minmax(contour.line, {}, &Pixel::x);
     const auto [top, bottom] = std::ranges::minmax(contour.line, {}, &Pixel::y);
     EXPECT_GE(std::hypot(right.x - left.x, bottom.y - top.y), 25);
@@ -99,16 +99,16 @@ TEST(ContourSet2, SpecksAreLeftOut) {
 
 TEST(ContourSet2, EachLineHasOneLabelAndNoneCoversAnother) {
   // Two hills with rings around each.
-  const PixelField2 hills = field(400, 200, [](double x, double y) {
+  const PixelField hills = field(400, 200, [](double x, double y) {
     return std::min(std::hypot(x - 100, y - 100), std::hypot(x - 300, y - 100));
   });
   const std::vector<double> levels{40, 80};
-  const std::vector<Contour2> contours = contour_set_2(hills, levels, 10);
+  const std::vector<Contour> contours = contour_set(hills, levels, 10);
   ASSERT_EQ(contours.size(), 4u);
   std::vector<std::string> names;
-  for (const Contour2& contour : contours) names.push_back(std::to_string(static_cast<int>(contour.level)));
+  for (const Contour& contour : contours) names.push_back(std::to_string(static_cast<int>(contour.level)));
   RecordingCanvas canvas(500, 300);
-  draw_contours_2(canvas, contours, names, hills, {50, 20}, 1);
+  draw_contours(canvas, contours, names, hills, {50, 20}, 1);
   std::multiset<std::string> written;
   std::vector<RecordingCanvas::Call> boxes;
   for (const RecordingCanvas::Call& call : canvas.calls(Mark::kCurve)) {

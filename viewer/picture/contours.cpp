@@ -1,4 +1,4 @@
-#include "viewer/picture/plane/contours.h"
+#include "viewer/picture/contours.h"
 
 #include <fmt/format.h>
 
@@ -15,12 +15,12 @@ namespace {
 // The sides of squares by number: side 2 (y width + x) runs right from the centre (x, y), the next one down from it.
 class LevelLines {
  public:
-  LevelLines(const PixelField2& field, double level) : field_(field), level_(level) {}
+  LevelLines(const PixelField& field, double level) : field_(field), level_(level) {}
 
-  std::vector<Polyline2> all() {
+  std::vector<PixelLine> all() {
     for (std::uint32_t y = 0; y + 1 < field_.height; ++y)
       for (std::uint32_t x = 0; x + 1 < field_.width; ++x) add_square(x, y);
-    std::vector<Polyline2> lines;
+    std::vector<PixelLine> lines;
     // Open lines from their ends, then what is left: closed ones. In the order in which they were met.
     for (const std::uint64_t side : met_)
       if (is_end(side)) follow(side, lines);
@@ -79,8 +79,8 @@ class LevelLines {
     (links.one == to ? links.one : links.other) = kNone;
   }
 
-  void follow(std::uint64_t side, std::vector<Polyline2>& lines) {
-    Polyline2 line{place(side)};
+  void follow(std::uint64_t side, std::vector<PixelLine>& lines) {
+    PixelLine line{place(side)};
     for (;;) {
       const Links& links = links_.at(side);
       const std::uint64_t next = links.one != kNone ? links.one : links.other;
@@ -103,7 +103,7 @@ class LevelLines {
     return {x + 0.5 + (is_down ? 0 : t), y + 0.5 + (is_down ? t : 0)};
   }
 
-  const PixelField2& field_;
+  const PixelField& field_;
   const double level_;
   std::unordered_map<std::uint64_t, Links> links_;
   std::vector<std::uint64_t> met_;
@@ -118,12 +118,12 @@ double distance(const Pixel& p, const Pixel& a, const Pixel& b) {
 
 }  // namespace
 
-std::vector<Polyline2> contour_lines(const PixelField2& field, double level) {
+std::vector<PixelLine> contour_lines(const PixelField& field, double level) {
   if (field.width < 2 || field.height < 2) return {};
   return LevelLines(field, level).all();
 }
 
-Polyline2 simplified_2(std::span<const Pixel> line, double tolerance) {
+PixelLine simplified_line(std::span<const Pixel> line, double tolerance) {
   if (line.size() < 3) return {line.begin(), line.end()};
   std::vector<bool> is_kept(line.size(), false);
   is_kept.front() = is_kept.back() = true;
@@ -142,13 +142,13 @@ Polyline2 simplified_2(std::span<const Pixel> line, double tolerance) {
     is_kept[farthest] = true;
     waiting.insert(waiting.end(), {{first, farthest}, {farthest, last}});
   }
-  Polyline2 result;
+  PixelLine result;
   for (std::size_t k = 0; k < line.size(); ++k)
     if (is_kept[k]) result.push_back(line[k]);
   return result;
 }
 
-std::vector<double> contour_levels_2(double lower, double upper, int limit) {
+std::vector<double> contour_levels(double lower, double upper, int limit) {
   if (!(upper > 0) || !(lower < upper)) return {};
   std::vector<double> levels;
   const auto inside = [&](double level) { return lower < level && level < upper; };
