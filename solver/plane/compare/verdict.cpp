@@ -75,7 +75,7 @@ class JudgedScene2 final : public JudgedScene {
   bool reaches_behind(std::uint32_t from, std::uint32_t to) const override {
     for (const ElementRun2& a : geometry_.runs(from))
       for (const ElementRun2& b : geometry_.runs(to))
-        if (const auto [least, most] = std::minmax(dot(a.normal(), b.from - a.from), dot(a.normal(), b.to - a.from));
+        if (const auto [least, most] = std::minmax({dot(a.normal(), b.from - a.from), dot(a.normal(), b.to - a.from)});
             is_behind_in_part(least, most, std::min(a.length, b.length)))
           return true;
     return false;

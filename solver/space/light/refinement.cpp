@@ -209,7 +209,8 @@ std::vector<SurfaceTrees> refined_trees(const PreparedScene3& prepared, const Re
       lights.emplace_back(prepared, scene.lights[k], scene.light_places[k]);
   if (!lights.empty()) {
     std::vector<FaceLeaves> faces(2 * scene.surfaces.size());
-    for (const Element& element : prepared.under(scene).elements(Granularity::kElement)->elements())
+    const std::shared_ptr<const ElementTable3> table = prepared.under(scene).elements(Granularity::kElement);
+    for (const Element& element : table->elements())
       faces[Face{element.surface, element.is_back}.number()].add(element.node(), true);
     while (divide_once(prepared, scene, lights, levels.at_borders, faces)) {
     }
