@@ -12,6 +12,7 @@
 #include "cli/command.h"
 #include "cli/compare_divided.h"
 #include "cli/compare_grid.h"
+#include "cli/compare_texels.h"
 #include "cli/comparing.h"
 #include "cli/room_for_elements.h"
 #include "geometry/near_names.h"
@@ -62,7 +63,7 @@ void require_effect(const CompareOptions& options, const MethodCatalogue<Prepare
                     const Methods<Prepared>& methods, const std::vector<NamedMethod>& radiosity_files) {
   std::vector<std::string> names;
   std::map<std::string, int> members;
-  bool has_foreign = !radiosity_files.empty() || !options.grid_file.empty();
+  bool has_foreign = !radiosity_files.empty() || !options.grid_file.empty() || !options.texels.empty();
   bool has_parameter = false;
   for (const auto& [name, curve, method] : methods) {
     names.push_back(name);
@@ -82,7 +83,8 @@ void require_effect(const CompareOptions& options, const MethodCatalogue<Prepare
                       names);
   if (options.beyond && !has_foreign)
     throw UsageError(
-        "--beyond is about results of others: none of the methods is file: or run:, and there is no --grid-file");
+        "--beyond is about results of others: none of the methods is file: or run:, and there is no --grid-file and no "
+        "--texels");
   if (options.at_most > 0 && std::ranges::none_of(members, [](const auto& each) { return each.second > 1; }))
     throw UsageError(
         "--at-most leaves out the rest of a family: --sweep, or several methods of one, give it something "
@@ -95,6 +97,18 @@ void require_effect(const CompareOptions& options, const MethodCatalogue<Prepare
           "--sweep runs families through their parameters: name one that has any by its name alone, as in "
           "--methods gauss");
   }
+}
+
+// Lightmaps are of faces of space.
+std::optional<TexelFile> texels_asked(const CompareOptions& options, const Scene2&) {
+  if (!options.texels.empty()) throw UsageError("--texels is for scenes in space");
+  return std::nullopt;
+}
+std::optional<TexelFile> texels_asked(const CompareOptions& options, const Scene3& scene) {
+  return options.texels.empty() ? std::nullopt : std::optional(texel_file(options.texels, scene));
+}
+ComparedTexels judge_texels(const TexelFile&, const MethodComparison2&, double, const std::function<void(double)>&) {
+  return {};
 }
 
 // What the methods came to, without their matrices.
@@ -169,11 +183,13 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
   for (const std::string& text : names_to_run(methods_there_are, options)) named.push_back(named_method(text));
   require_names_apart(named, family_names(methods_there_are));
   const std::vector<NamedMethod> radiosity_files = take_radiosity_files(named);
-  if (named.empty() || (!options.grid_file.empty() && options.methods.empty() && !options.sweep))
+  if (named.empty() ||
+      ((!options.grid_file.empty() || !options.texels.empty()) && options.methods.empty() && !options.sweep))
     named = {NamedMethod{kExactFamily, ""}};
   const auto methods = methods_to_run(methods_there_are, named);
   require_effect(options, methods_there_are, methods, radiosity_files);
 
+  const std::optional<TexelFile> texels = texels_asked(options, scene);
   const std::filesystem::path directory = output_folder(options.out, options.scene);
 
   options.elements.apply_to(scene);
@@ -183,11 +199,15 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
   const OutputFolder folder(directory);
   OutputFile csv(directory / "compare.csv"), worst(directory / "worst.csv"), read(directory / "readings.csv"),
       svg(directory / "compare.svg"), png(directory / "compare.png");
-  std::optional<OutputFile> map, grid, grid_picture;
+  std::optional<OutputFile> map, grid, grid_picture, texel_table, texel_picture;
   if (!options.map.empty()) map.emplace(directory / "errors.png");
   if (!options.grid_file.empty()) {
     grid.emplace(directory / "grid.csv");
     grid_picture.emplace(directory / "grid_errors.png");
+  }
+  if (texels) {
+    texel_table.emplace(directory / "texels.csv");
+    texel_picture.emplace(directory / "texel_errors.png");
   }
 
   const std::shared_ptr<FactorStore> store = options.store.open("exact");
@@ -231,6 +251,14 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
     grid_picture->write(judged.picture);
     light = judged.sentences;
   }
+  ComparedTexels compared_texels;
+  if (texels) {
+    compared_texels = naming_file(options.scene, [&] {
+      return judge_texels(*texels, comparison, options.beyond.value_or(kBeyond), streams.progress("light of texels"));
+    });
+    texel_table->write(texel_csv(compared_texels.judged));
+    texel_picture->write(compared_texels.picture);
+  }
   const ComparisonReport report{options.scene,
                                 comparison.prepared().scene.surfaces.size(),
                                 comparison.prepared().seconds,
@@ -242,7 +270,8 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
                                 error,
                                 outcome.told,
                                 options.grid_file,
-                                light};
+                                light,
+                                texels ? &compared_texels.judged : nullptr};
   csv.write(compare_csv(outcome.results));
   worst.write(worst_csv(outcome.worst));
   read.write(readings_csv(curves, kErrorsReadOff));
@@ -252,7 +281,7 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
     throw RequestError(options.scene + ": --at-most left out " + options.map + ", which --map draws");
   if (map) map->write(outcome.map);
   std::vector<OutputFile*> files = {&csv, &worst, &read, &svg, &png};
-  for (std::optional<OutputFile>* file : {&map, &grid, &grid_picture})
+  for (std::optional<OutputFile>* file : {&map, &grid, &grid_picture, &texel_table, &texel_picture})
     if (*file) files.push_back(&**file);
   for (OutputFile* file : files) file->finish();
   if (options.json) streams.write("", comparison_json(report));
@@ -315,7 +344,9 @@ void add_compare(Commands& commands) {
   command
       .add_option("--beyond", options->beyond,
                   "of file: and run:, call a pair off when it is wrong by more than X (without it " +
-                      shortest(kBeyond) + ") and the digits written; of --grid-file a cell, by X of the largest light")
+                      shortest(kBeyond) +
+                      ") and the digits written; of --grid-file and --texels a cell, by X of the "
+                      "largest light")
       ->type_name("X")
       ->check(number_not_below_zero());
   command
@@ -334,6 +365,12 @@ void add_compare(Commands& commands) {
           "exact light of the same cells, in grid.csv and grid_errors.png; the methods are exact alone then, "
           "without --methods")
       ->type_name("FILE.npy");
+  command
+      .add_option("--texels", options->texels,
+                  "in space: a lightmap by another program, as solve --texels writes it, of the face that FILE.json "
+                  "names, or NAME: against the light gathered at the middles of the same texels, in texels.csv and "
+                  "texel_errors.png; the methods are exact alone then, without --methods")
+      ->type_name("[NAME=]FILE.npy");
   command
       .add_option_function<std::string>(
           "--plot-x", [options](const std::string& name) { options->plot_x = kPlotX.at(name); },
@@ -358,7 +395,8 @@ void add_compare(Commands& commands) {
           ->type_name("N,N,...")
           ->transform(whole_number(1, 1'000'000));
   options->elements.add_to(command);
-  for (const char* other : {"--elements", "--element-size", "--worst", "--map", "--grid-file", "--beyond", "--at-most"})
+  for (const char* other :
+       {"--elements", "--element-size", "--worst", "--map", "--grid-file", "--texels", "--beyond", "--at-most"})
     divide->excludes(command.get_option(other));
   options->polygons.add_to(command);
   options->store.add_to(command);

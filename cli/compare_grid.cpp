@@ -42,7 +42,8 @@ JudgedGrid judged(const ForeignGrid& foreign, std::span<const double> exact, con
   const GridValues found{foreign.ny, foreign.nx, foreign.channels, foreign.values},
       right{foreign.ny, foreign.nx, foreign.channels, exact};
   const std::vector<GridErrors> errors = grid_errors(found, right, beyond, foreign.digits);
-  return {grid_csv(errors, solution.channel_names, place), grid_error_picture(found, right, foreign.file, place),
+  return {grid_csv(errors, solution.channel_names, place),
+          grid_error_picture(found, right, foreign.file, place, "mean irradiance"),
           grid_sentences(errors, solution.channel_names, place, beyond, grid_reading(found, right))};
 }
 

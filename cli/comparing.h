@@ -43,7 +43,7 @@ struct CompareOptions {
   std::optional<int> repeat;
   double at_most = 0;  // seconds; 0: no limit
   std::optional<double> beyond;
-  std::string map, grid_file;
+  std::string map, grid_file, texels;
   std::optional<PlotX> plot_x;
   std::optional<ErrorKind> plot_y;
   std::vector<std::uint32_t> divide;  // elements of each surface, ascending; empty: as the scene says

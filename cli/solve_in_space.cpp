@@ -155,8 +155,6 @@ std::optional<TexelChoice> texels_of(const SolveOptions& options, const Scene3& 
   TexelChoice choice{{}, options.texels.substr(0, end), {}};
   const auto [nu, nv] = two_numbers("--texels", "NAME=NXxNY", options.texels.substr(end + 1), kMaxGridCells3);
   choice.face = face_of(scene, choice.name);
-  if (!scene.surfaces[choice.face.surface].material_of(choice.face.is_back))
-    throw UsageError("--texels: " + quoted_name(choice.name) + " has no material, and no light");
   choice.grid = texel_grid_3(scene, choice.face, nu, nv);
   const std::uint64_t bytes =
       std::uint64_t{nu} * nv * static_cast<std::uint64_t>(channel_count(scene)) * sizeof(double);
@@ -179,8 +177,8 @@ struct TexelFiles {
 
   void write(const Simulation3& simulation, const Shown& shown, const GridPicture3& how, const Streams& streams) {
     const auto solution = simulation.radiosities();
-    const GatheredSource3 source(*simulation.prepared(), simulation.request().factors.granularity, *solution, shown,
-                                 *simulation.light_shares());
+    const GatheredSource3 source(*simulation.prepared(), simulation.request().factors.granularity, *solution,
+                                 responses_3(shown, *solution), *simulation.light_shares());
     const IlluminationGrid3 light =
         texels_3(*simulation.prepared(), source, choice.face, choice.grid, streams.progress("light of texels"));
     std::vector<std::size_t> shape{choice.grid.nv, choice.grid.nu};
@@ -194,7 +192,7 @@ struct TexelFiles {
       return;
     }
     ShownValues values = shown_values(shown, simulation.scene(), simulation.factors()->matrix, *solution);
-    sidecar.write(shown_sidecar(region_of(choice.grid), values.name, values.unit));
+    sidecar.write(texel_sidecar(region_of(choice.grid), choice.name, values.name, values.unit));
     values.elements.clear();
     for (const double value : light.values)
       values.elements.push_back(std::isnan(value) ? std::nullopt : std::optional(value));

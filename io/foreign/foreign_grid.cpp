@@ -34,7 +34,9 @@ ForeignGrid read_foreign_grid(const std::filesystem::path& file) {
   const std::string name = file.string(), text = read_text_file(file);
   if (!text.starts_with("\x93NUMPY")) throw InputError({name, 0}, "is no array of NumPy (.npy)");
   const NumpyArray array = parse_numpy(name, text, 3);
-  ForeignGrid grid{name, array.shape[0], array.shape[1], array.shape.size() == 3 ? array.shape[2] : 1, {}, {}, {}};
+  ForeignGrid grid{name, array.shape[0], array.shape[1], array.shape.size() == 3 ? array.shape[2] : 1, {}, {}, false,
+                   {}};
+  grid.has_channels = array.shape.size() == 3;
   grid.digits.relative = array.relative_rounding();
   grid.values.resize(array.count());
   std::size_t k = 0;

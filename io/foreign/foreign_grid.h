@@ -18,7 +18,8 @@ struct ForeignGrid {
   std::string file;
   std::uint32_t ny = 0, nx = 0, channels = 1;
   std::vector<double> values;
-  WrittenDigits digits;  // of float32 or float64
+  WrittenDigits digits;       // of float32 or float64
+  bool has_channels = false;  // the file has a third index
 
   // Corners of the outermost cells, where FILE.json says them, as hottel writes it beside illumination.npy.
   std::optional<std::array<std::array<double, 2>, 2>> region;  // min, max

@@ -57,6 +57,33 @@ Json method_json(const MethodResult& each, const ExchangeMatrix& exact) {
           {"notes", each.notes}};
 }
 
+Json texels_json(const JudgedTexels& texels) {
+  Json channels = Json::array();
+  for (std::size_t c = 0; c < texels.errors.size(); ++c) {
+    const GridErrors& each = texels.errors[c];
+    channels.push_back({{"channel", texels.channels[c]},
+                        {"texels", each.cells},
+                        {"missing", each.missing},
+                        {"extra", each.extra},
+                        {"off", each.off},
+                        {"max_error", each.max},
+                        {"rms_error", each.rms},
+                        {"mean_error", each.bias},
+                        {"mean", each.mean},
+                        {"worst",
+                         {{"texel", {each.ix, each.iy}},
+                          {"st", texels.place.fractions(each.ix, each.iy)},
+                          {"at", texels.place.centre(each.ix, each.iy)},
+                          {"value", each.value},
+                          {"exact", each.exact}}}});
+  }
+  return {{"file", texels.file},
+          {"face", texels.face},
+          {"quantity", texels.quantity},
+          {"channels", channels},
+          {"notes", texel_sentences(texels)}};
+}
+
 std::string compare_table(std::span<const MethodResult> results) {
   std::size_t widest = 6;
   for (const MethodResult& each : results) widest = std::max(widest, each.info.name.size());
@@ -101,6 +128,7 @@ std::string comparison_json(const ComparisonReport& report) {
          {"family", reading.family},
          {"seconds", optional(reading.family.empty() ? std::nullopt : std::optional(reading.seconds))}});
   if (!report.grid_file.empty()) json["light"] = {{"file", report.grid_file}, {"notes", report.light}};
+  if (report.texels != nullptr) json["texels"] = texels_json(*report.texels);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -129,6 +157,9 @@ std::string comparison_text(const ComparisonReport& report) {
   }
   for (const auto& [note, whose] : notes) text += whose + ": " + note + "\n";
   for (const std::string& sentence : report.light) text += report.grid_file + ": " + sentence + "\n";
+  if (report.texels != nullptr)
+    for (const std::string& sentence : texel_sentences(*report.texels))
+      text += report.texels->file + ": " + report.texels->face + ", " + sentence + "\n";
   for (const WorkReading& reading : report.readings) text += to_sentence(reading, report.errors_read) + "\n";
   return text;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
+#include "io/results/texel_report.h"
 #include "solver/compare/explained_pair.h"
 #include "solver/compare/method_result.h"
 #include "solver/compare/reference_errors.h"
@@ -28,6 +29,7 @@ struct ComparisonReport {
   std::span<const std::string> told{};   // methods whose notes the reader has seen already: the text leaves them out
   std::string grid_file{};               // light of others on a grid; empty: none
   std::span<const std::string> light{};  // what is said of it
+  const JudgedTexels* texels = nullptr;  // a lightmap of others; null: none
 };
 
 // Returns the report as one JSON object and a final newline. What is not known is null; what is no UTF-8 in

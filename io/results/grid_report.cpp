@@ -9,12 +9,15 @@
 #include "kernel/support/counted.h"
 
 namespace hottel {
-namespace {}  // namespace
-
 std::array<double, 3> GridPlace::centre(std::uint32_t iu, std::uint32_t iv) const {
+  const std::array<double, 2> part = fractions(iu, iv);
   std::array<double, 3> point = origin;
-  for (std::size_t k = 0; k < 3; ++k) point[k] += (iu + 0.5) / nu * u[k] + (iv + 0.5) / nv * v[k];
+  for (std::size_t k = 0; k < 3; ++k) point[k] += part[0] * u[k] + part[1] * v[k];
   return point;
+}
+
+std::array<double, 2> GridPlace::fractions(std::uint32_t iu, std::uint32_t iv) const {
+  return {(iu + 0.5) / nu, (iv + 0.5) / nv};
 }
 
 std::string grid_csv(std::span<const GridErrors> errors, std::span<const std::string> channels,

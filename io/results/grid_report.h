@@ -18,6 +18,7 @@ struct GridPlace {
   bool is_in_space = false;
 
   std::array<double, 3> centre(std::uint32_t iu, std::uint32_t iv) const;
+  std::array<double, 2> fractions(std::uint32_t iu, std::uint32_t iv) const;  // of u and v, of the centre
 };
 
 // `channel,cells,missing,extra,max_error,rms_error,largest,ix,iy,x,y,z,value,exact`: one line a channel; z is empty in

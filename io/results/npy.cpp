@@ -111,6 +111,16 @@ std::string texel_sidecar(const PlanarRegion& region, const std::string& face,
   return sidecar.dump(2) + "\n";
 }
 
+std::string texel_sidecar(const PlanarRegion& region, const std::string& face, const std::string& quantity,
+                          const std::string& unit) {
+  Json sidecar;
+  sidecar["quantity"] = quantity;
+  sidecar["unit"] = unit;
+  sidecar["face"] = face;
+  add_shape(region, sidecar);
+  return sidecar.dump(2) + "\n";
+}
+
 std::string pixel_sidecar(std::size_t height, std::size_t width, const std::vector<std::string>& channels) {
   Json sidecar;
   sidecar["quantity"] = "radiosity";

@@ -42,9 +42,12 @@ struct PlanarRegion {
 std::string illumination_sidecar(const PlanarRegion& region, const std::vector<std::string>& channels);
 // The same of one number a cell, of a quantity by its name and unit: axes v, u.
 std::string shown_sidecar(const PlanarRegion& region, const std::string& quantity, const std::string& unit);
-// The same of texels of a face: `quantity` radiosity, in W/m², by channel; axes v, u, channel; and `face`, its name.
+// The same of texels of a face, with its name as `face`: of radiosity in W/m² by channel, axes v, u, channel; and of
+// one number a texel, axes v, u.
 std::string texel_sidecar(const PlanarRegion& region, const std::string& face,
                           const std::vector<std::string>& channels);
+std::string texel_sidecar(const PlanarRegion& region, const std::string& face, const std::string& quantity,
+                          const std::string& unit);
 // Of the pixels of what a camera sees: radiosity in W/m², axes y (from the top down), x, channel.
 std::string pixel_sidecar(std::size_t height, std::size_t width, const std::vector<std::string>& channels);
 // The same of one number a cell in the plane: axes y, x.

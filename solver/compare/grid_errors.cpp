@@ -90,7 +90,7 @@ std::vector<GridErrors> grid_errors(const GridValues& found, const GridValues& e
   std::vector<GridErrors> all;
   for (std::uint32_t c = 0; c < exact.channels; ++c) {
     GridErrors& errors = all.emplace_back();
-    long double squares = 0;
+    long double squares = 0, sum = 0, exact_sum = 0;
     for (std::uint32_t y = 0; y < exact.ny; ++y)
       for (std::uint32_t x = 0; x < exact.nx; ++x) {
         const double right = exact.at(x, y, c), value = found.at(x, y, c);
@@ -101,6 +101,8 @@ std::vector<GridErrors> grid_errors(const GridValues& found, const GridValues& e
         if (!has_right || !has_value) continue;
         const double error = std::abs(value - right);
         squares += static_cast<long double>(error) * error;
+        sum += value - right;
+        exact_sum += right;
         if (errors.cells++ > 0 && error <= errors.max) continue;
         errors.max = error;
         errors.ix = x;
@@ -114,7 +116,10 @@ std::vector<GridErrors> grid_errors(const GridValues& found, const GridValues& e
         errors.off += std::isfinite(error) && error > beyond * errors.largest + digits.rounding(value);
       }
     errors.rms = static_cast<double>(std::sqrt(squares / static_cast<long double>(errors.cells)));
-    if (errors.cells == 0) errors.max = errors.rms = std::numeric_limits<double>::quiet_NaN();
+    errors.bias = static_cast<double>(sum / static_cast<long double>(errors.cells));
+    errors.mean = static_cast<double>(exact_sum / static_cast<long double>(errors.cells));
+    if (errors.cells == 0)
+      errors.max = errors.rms = errors.bias = errors.mean = std::numeric_limits<double>::quiet_NaN();
   }
   return all;
 }

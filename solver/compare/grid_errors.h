@@ -27,6 +27,7 @@ struct GridErrors {
   std::uint64_t extra = 0;       // of which only the other has one: in solids, and at lights
   std::uint64_t off = 0;         // of cells: wrong by more than was allowed, and half of the last digit written
   double max = 0, rms = 0;       // NaN without cells [unit of the light]
+  double bias = 0, mean = 0;     // mean of what is found less what is right, and of what is right; NaN without cells
   double largest = 0;            // exact value
   std::uint32_t ix = 0, iy = 0;  // where max is; the first of equals
   double value = 0, exact = 0;   // there

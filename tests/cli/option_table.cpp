@@ -296,6 +296,13 @@ const std::vector<OptionEntry>& option_entries() {
        "hottel compare $Q --methods exact --repeat 1 -o out; ls out",
        {{"hottel compare $Q --divide 1,2 --grid-file f.npy", "excludes"}}},
       {"compare",
+       "--texels",
+       "hottel solve $C -o solved --texels floor=2x2 --no-picture; hottel compare $C --texels solved/texels.npy "
+       "--repeat 1 -o out; ls out",
+       "hottel compare $C --methods exact --repeat 1 -o out; ls out",
+       {{"hottel compare $Q --texels floor=f.npy", "--texels is for scenes in space"},
+        {"hottel compare $C --divide 1,2 --texels f.npy", "excludes"}}},
+      {"compare",
        "--elements",
        "hottel compare $Q --methods gauss:2 --repeat 1 --elements 3 -o out; cut -d, -f1,5 out/compare.csv",
        "hottel compare $Q --methods gauss:2 --repeat 1 -o out; cut -d, -f1,5 out/compare.csv",

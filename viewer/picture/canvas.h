@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -33,6 +34,11 @@ inline std::uint32_t pixel_of(const Colour& c) {
     return whole + (scaled - whole >= 0.5 ? 1 : 0);
   };
   return level(c.a) << 24 | level(c.r * c.a) << 16 | level(c.g * c.a) << 8 | level(c.b * c.a);
+}
+
+// The same of the levels of r, g and b, opaque.
+inline std::uint32_t pixel_of_levels(const std::array<std::uint8_t, 3>& level) {
+  return 0xFF000000u | std::uint32_t{level[0]} << 16 | std::uint32_t{level[1]} << 8 | level[2];
 }
 
 // What a stroke or a fill stands for. A canvas for the eye ignores it; a recording canvas counts by it.

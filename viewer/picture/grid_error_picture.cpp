@@ -29,7 +29,7 @@ std::vector<double> cell_errors(const GridValues& found, const GridValues& exact
 }  // namespace
 
 std::string grid_error_picture(const GridValues& found, const GridValues& exact, const std::string& file,
-                               const GridPlace& place) {
+                               const GridPlace& place, const std::string& quantity) {
   const std::vector<double> errors = cell_errors(found, exact);
   double largest = 0;
   for (const double error : errors) largest = std::isnan(error) ? largest : std::max(largest, error);
@@ -54,7 +54,7 @@ std::string grid_error_picture(const GridValues& found, const GridValues& exact,
   style.size *= std::min(1.0, room / std::max(1.0, canvas.text_width(title, style)));
   canvas.text(Mark::kTitle, {kMargin, 38}, title, style);
   canvas.image(Mark::kLight, {kMargin, kHeading}, {kMargin + wide, kHeading + high}, cells, false);
-  draw_legend(canvas, scale, "|error of the mean irradiance|", {kMargin, kHeading + high + 18},
+  draw_legend(canvas, scale, "|error of the " + quantity + "|", {kMargin, kHeading + high + 18},
               std::min(room / 1.6, 360.0), 1.1);
   return canvas.finish();
 }

@@ -168,6 +168,18 @@ std::string name_of(const Shown& shown, const std::vector<std::string>& channel_
 
 }  // namespace
 
+std::optional<Shown> shown_called(const std::string& name, const std::vector<std::string>& channel_names) {
+  for (const Quantity quantity : {Quantity::kRadiosity, Quantity::kIrradiance, Quantity::kNet}) {
+    Shown shown{.quantity = quantity};
+    if (name_of(shown, channel_names) == name) return shown;
+    for (std::size_t c = 0; c < channel_names.size(); ++c) {
+      shown.channel = c;
+      if (name_of(shown, channel_names) == name) return shown;
+    }
+  }
+  return std::nullopt;
+}
+
 std::string words_to_show() {
   return words_of([](const QuantityRow& row) { return row.quantity != Quantity::kLight; }, ", ") +
          " (view factor to it), factor:NAME (view factor to a face, a group, or all that a pattern like 'win*' or "

@@ -84,6 +84,9 @@ struct ShownValues {
 ShownValues shown_values(const Shown& shown, const SceneTable& scene, const ExchangeMatrix& matrix,
                          const RadiositySolution& solution);
 
+// Returns what ShownValues calls so of radiosity, irradiance and net; nothing for other names.
+std::optional<Shown> shown_called(const std::string& name, const std::vector<std::string>& channel_names);
+
 // Whether a quantity is one of points too, so that a grid can show it: irradiance, temperature (the mean radiant one),
 // and the view factor to the sky.
 bool is_of_points(const Shown& shown);

@@ -29,7 +29,7 @@ struct Ready {
       : solution(simulation.radiosities()),
         prepared(simulation.prepared()),
         paint(light_paint_3(prepared->scene, *solution)),
-        source(*prepared, Granularity::kElement, *solution, {}, *simulation.light_shares()) {}
+        source(*prepared, Granularity::kElement, *solution, light_responses_3(*solution), *simulation.light_shares()) {}
 
   GatheredScene3 scene() const { return source.scene(paint); }
 
@@ -67,6 +67,24 @@ TEST(GatheredView3, IsFullSamplingWithinHalfAStepAsARule) {
     EXPECT_LT(sum / all, 0.3) << file;
     EXPECT_LT(over, 0.15 * all) << file;
   }
+}
+
+// The squares fill the picture, the middle first, and are its pixels.
+TEST(GatheredView3, ComesInSquares) {
+  const Ready ready(solved("space/cube.json", 2));
+  const Camera3 camera = camera_of_scene(*ready.prepared, 150);
+  const auto steps = [](std::span<const double> a, std::span<const double> b) { return std::fabs(a[0] - b[0]); };
+  const PixelValues3 whole = gathered_view_3(ready.scene(), camera, steps, 0.01).pixels;
+  std::size_t filled = 0;
+  std::vector<std::array<std::uint32_t, 2>> places;
+  gathered_tiles_3(ready.scene(), camera, steps, 0.01, [&](const PixelTile3& tile) {
+    places.push_back({tile.left, tile.top});
+    for (std::uint32_t y = 0; y < tile.pixels.height; ++y)
+      for (std::uint32_t x = 0; x < tile.pixels.width; ++x, ++filled)
+        EXPECT_NEAR(tile.pixels.at(x, y)[0], whole.at(tile.left + x, tile.top + y)[0], 1e-5);
+  });
+  EXPECT_EQ(filled, std::size_t{camera.width} * camera.height);
+  EXPECT_EQ(places.front(), (std::array{64u, camera.height > 64 ? 64u : 0u}));
 }
 
 TEST(GatheredView3, DoesNotDependOnThreads) {

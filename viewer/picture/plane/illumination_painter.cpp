@@ -138,7 +138,7 @@ Raster toned_pixels_2(const IlluminationGrid2& grid, const LightPixels2& pixels,
       for (std::uint32_t x = 0; x < raster.width; ++x) {
         const auto value = std::span(row).subspan((std::size_t{j} * raster.width + x) * channels, channels);
         const std::array<std::uint8_t, 3> level = tone.levels(value);
-        pixel[x] = std::isnan(value[0]) ? unlit : 0xFF000000u | level[0] << 16 | level[1] << 8 | level[2];
+        pixel[x] = std::isnan(value[0]) ? unlit : pixel_of_levels(level);
       }
     }
   });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "geometry/space/prepared/face_patches.h"
 #include "kernel/support/parallel.h"
@@ -95,11 +96,11 @@ class CornerRadiosities {
 }  // namespace
 
 GatheredSource3::GatheredSource3(const PreparedScene3& prepared, Granularity granularity,
-                                 const RadiositySolution& solution, const Shown& shown,
+                                 const RadiositySolution& solution, Responses3 responses,
                                  std::span<const LightShares> shares)
     : prepared_(prepared),
       table_(prepared.elements(granularity)),
-      responses_(responses_3(shown, solution)),
+      responses_(std::move(responses)),
       runs_(CornerRadiosities(prepared, granularity, solution, shares).runs()),
       light_(prepared, granularity, solution, runs_) {}
 

@@ -10,7 +10,6 @@
 #include "solver/radiosity/direct_light.h"
 #include "solver/space/light/gathered_light.h"
 #include "solver/space/light/scene_lights.h"
-#include "viewer/picture/shown_values.h"
 #include "viewer/picture/space/gathered_view.h"
 
 namespace hottel {
@@ -19,12 +18,12 @@ namespace hottel {
 // nothing jumps at their borders. At the corners of elements it is what is gathered there, but for direct light, of
 // which corners have the mean of what elements around them have.
 //
-// shares: of the lights of the scene. REQUIRES that scene and solution outlive it. Throws as require_gathered_3. COST:
-// that of a SmoothMesh3, and of GatheredLight3 for each corner.
+// responses: what is told of points. shares: of the lights of the scene. REQUIRES that scene and solution outlive it.
+// COST: that of a SmoothMesh3, and of GatheredLight3 for each corner.
 class GatheredSource3 {
  public:
   GatheredSource3(const PreparedScene3& prepared, Granularity granularity, const RadiositySolution& solution,
-                  const Shown& shown, std::span<const LightShares> shares);
+                  Responses3 responses, std::span<const LightShares> shares);
 
   const GatheredLight3& light() const { return light_; }
   const Responses3& responses() const { return responses_; }

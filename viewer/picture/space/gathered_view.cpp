@@ -148,18 +148,50 @@ class GatheredView {
         painter_(scene.paint, camera) {}
 
   Gathering3 run(const std::function<void(double)>& progress) {
-    std::vector<SeenCell> cells = first_cells();
     double done = 0, share = 0.5;  // each round takes about half of what is left
-    while (!cells.empty()) {
+    for (std::vector<SeenCell> cells = first_cells(); !cells.empty(); share /= 2) {
       cells = refine(std::move(cells));
       done += share;
-      share /= 2;
       if (progress) progress(done);
     }
     return {painter_.finished(), points_.size()};
   }
 
+  void run_tiles(const std::function<void(PixelTile3)>& take) {
+    std::vector<std::vector<SeenCell>> tiles(std::size_t{tiles_across()} * tiles_down());
+    for (SeenCell& cell : first_cells()) tiles[tile_of(cell)].push_back(std::move(cell));
+    for (const std::size_t tile : tiles_from_the_middle()) {
+      for (std::vector<SeenCell> cells = std::move(tiles[tile]); !cells.empty();) cells = refine(std::move(cells));
+      const std::uint32_t left = static_cast<std::uint32_t>(tile % tiles_across()) * kTileSide;
+      const std::uint32_t top = static_cast<std::uint32_t>(tile / tiles_across()) * kTileSide;
+      take({left, top, painter_.finished(left, top, kTileSide)});
+    }
+  }
+
  private:
+  static constexpr std::uint32_t kTileSide = 64;  // a multiple of the side of a first cell
+
+  std::uint32_t tiles_across() const { return (camera_.width + kTileSide - 1) / kTileSide; }
+  std::uint32_t tiles_down() const { return (camera_.height + kTileSide - 1) / kTileSide; }
+
+  std::size_t tile_of(const SeenCell& cell) const {
+    const auto x = static_cast<std::uint32_t>(cell.low.x) / kTileSide;
+    const auto y = static_cast<std::uint32_t>(cell.low.y) / kTileSide;
+    return std::size_t{std::min(y, tiles_down() - 1)} * tiles_across() + std::min(x, tiles_across() - 1);
+  }
+
+  std::vector<std::size_t> tiles_from_the_middle() const {
+    std::vector<std::pair<double, std::size_t>> far;
+    for (std::size_t k = 0; k < std::size_t{tiles_across()} * tiles_down(); ++k) {
+      const double x = static_cast<double>(k % tiles_across()), y = static_cast<double>(k / tiles_across());
+      far.emplace_back(std::hypot(x - (tiles_across() - 1) / 2.0, y - (tiles_down() - 1) / 2.0), k);
+    }
+    std::ranges::sort(far);
+    std::vector<std::size_t> result;
+    for (const auto& [distance, tile] : far) result.push_back(tile);
+    return result;
+  }
+
   std::vector<SeenCell> first_cells() {
     std::vector<SeenCell> result;
     const double side = std::exp2(std::ceil(std::log2(std::max(camera_.width, camera_.height))));
@@ -276,6 +308,10 @@ class GatheredView {
 
 }  // namespace
 
+double steps_between_3(const Colour& a, const Colour& b) {
+  return 255 * std::max({std::fabs(a.r - b.r), std::fabs(a.g - b.g), std::fabs(a.b - b.b)});
+}
+
 double sent_by_itself_3(const ElementRadiosity& element) {
   return element.reflectivity == 1 && element.emission == 0 ? element.net_value : element.emission;
 }
@@ -299,6 +335,16 @@ Responses3 light_responses_3(const RadiositySolution& solution) {
       for (std::size_t k = 0; k < result.of_light; ++k)
         result.per_irradiance.push_back(k == c ? solution.channels[c].elements[i].reflectivity : 0);
     }
+  return result;
+}
+
+Responses3 irradiance_responses_3(const RadiositySolution& solution) {
+  const std::size_t channels = solution.channels.size(), elements = solution.channels[0].elements.size();
+  Responses3 result{.channels = channels,
+                    .of_light = channels,
+                    .constant = std::vector<double>(elements * channels, 0),
+                    .per_irradiance = std::vector<double>(elements * channels * channels, 0)};
+  for (std::size_t k = 0; k < elements * channels; ++k) result.per_irradiance[k * channels + k % channels] = 1;
   return result;
 }
 
@@ -328,6 +374,11 @@ Responses3 responses_3(const Shown& shown, const RadiositySolution& solution) {
 Gathering3 gathered_view_3(const GatheredScene3& scene, const Camera3& camera, const StepsBetween3& steps_between,
                            double most_steps, const std::function<void(double)>& progress) {
   return GatheredView(scene, camera, steps_between, most_steps).run(progress);
+}
+
+void gathered_tiles_3(const GatheredScene3& scene, const Camera3& camera, const StepsBetween3& steps_between,
+                      double most_steps, const std::function<void(PixelTile3)>& take) {
+  GatheredView(scene, camera, steps_between, most_steps).run_tiles(take);
 }
 
 Gathering3 sampled_view_3(const GatheredScene3& scene, const Camera3& camera) {

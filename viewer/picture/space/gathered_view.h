@@ -12,6 +12,7 @@
 #include "geometry/space/scene/scene.h"
 #include "solver/space/light/gathered_light.h"
 #include "solver/space/light/scene_lights.h"
+#include "viewer/picture/canvas.h"
 #include "viewer/picture/shown_values.h"
 #include "viewer/picture/space/element_paint.h"
 #include "viewer/picture/space/pixel_values.h"
@@ -34,6 +35,8 @@ double sent_by_itself_3(const ElementRadiosity& element);
 
 // The radiosity in its channels: emission, and reflectivity times irradiance; of two bands the solar one.
 Responses3 light_responses_3(const RadiositySolution& solution);
+// The irradiance in its channels; of two bands both.
+Responses3 irradiance_responses_3(const RadiositySolution& solution);
 // Throws UsageError for quantities that are not gathered: all but light, radiosity, irradiance and net.
 void require_gathered_3(const Shown& shown);
 // Of light as above; radiosity, irradiance or net by the channel that is asked for, else their mean; of two bands their
@@ -53,6 +56,9 @@ struct GatheredScene3 {
 // How far what is shown at one place is from what is shown at another, in steps of a screen or of whatever counts.
 using StepsBetween3 = std::function<double(std::span<const double>, std::span<const double>)>;
 
+// The same of colours: the largest step of a channel, of 256.
+double steps_between_3(const Colour& a, const Colour& b);
+
 struct Gathering3 {
   PixelValues3 pixels;
   std::uint64_t points = 0;  // that were asked for
@@ -70,6 +76,18 @@ struct Gathering3 {
 // solid. REQUIRES a camera without a problem. COST: that of GatheredLight3 for each point.
 Gathering3 gathered_view_3(const GatheredScene3& scene, const Camera3& camera, const StepsBetween3& steps_between,
                            double most_steps, const std::function<void(double)>& progress = {});
+
+// Pixels of a picture from a place on.
+struct PixelTile3 {
+  std::uint32_t left = 0, top = 0;
+  PixelValues3 pixels;
+};
+
+// The same in squares of 64 pixels, those nearest to the middle first: each is taken as soon as it is done. Together
+// they are the picture of gathered_view_3 but for rounding. take: is called on the thread of the caller; may throw to
+// stop.
+void gathered_tiles_3(const GatheredScene3& scene, const Camera3& camera, const StepsBetween3& steps_between,
+                      double most_steps, const std::function<void(PixelTile3)>& take);
 
 // The same with a point for each pixel and polygon that is seen in it, in the middle of what that covers.
 Gathering3 sampled_view_3(const GatheredScene3& scene, const Camera3& camera);

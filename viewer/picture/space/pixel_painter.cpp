@@ -35,14 +35,18 @@ void PixelPainter3::add(const PixelCover3& cover, std::span<const double> value)
   for (std::size_t c = 0; c < shown_.size(); ++c) pixel[c] += cover.part * shown_[c];
 }
 
-PixelValues3 PixelPainter3::finished() const {
+PixelValues3 PixelPainter3::finished() const { return finished(0, 0, std::max(pixels_.width, pixels_.height)); }
+
+PixelValues3 PixelPainter3::finished(std::uint32_t left, std::uint32_t top, std::uint32_t side) const {
   const std::size_t channels = paint_.shown_channels();
-  PixelValues3 result{pixels_.width, pixels_.height, channels, {}};
-  result.values.reserve(pixels_.values.size() / (channels + 1) * channels);
-  for (std::size_t k = 0; k < pixels_.values.size(); k += channels + 1) {
-    const double sky = std::max(0.0, 1 - pixels_.values[k + channels]);
-    for (std::size_t c = 0; c < channels; ++c) result.values.push_back(pixels_.values[k + c] + sky * paint_.sky[c]);
-  }
+  PixelValues3 result{std::min(side, pixels_.width - left), std::min(side, pixels_.height - top), channels, {}};
+  result.values.reserve(std::size_t{result.width} * result.height * channels);
+  for (std::uint32_t y = top; y < top + result.height; ++y)
+    for (std::uint32_t x = left; x < left + result.width; ++x) {
+      const std::span<const double> pixel = pixels_.at(x, y);
+      const double sky = std::max(0.0, 1 - pixel[channels]);
+      for (std::size_t c = 0; c < channels; ++c) result.values.push_back(pixel[c] + sky * paint_.sky[c]);
+    }
   return result;
 }
 

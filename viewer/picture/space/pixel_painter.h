@@ -27,6 +27,8 @@ class PixelPainter3 {
 
   // With the sky where nothing is.
   PixelValues3 finished() const;
+  // The same of a square of so many pixels a side from a place on, or what of it is in the picture.
+  PixelValues3 finished(std::uint32_t left, std::uint32_t top, std::uint32_t side) const;
 
  private:
   const ElementPaint3& paint_;

@@ -15,7 +15,7 @@ Raster pixel_raster_3(const PixelValues3& pixels, const ToneCurve* tone, std::ui
           tone != nullptr
               ? tone->levels(shown)
               : std::array<std::uint8_t, 3>{srgb_level(shown[0]), srgb_level(shown[1]), srgb_level(shown[2])};
-      raster.pixels[std::size_t{y} * raster.width + x] = 0xFF000000u | level[0] << 16 | level[1] << 8 | level[2];
+      raster.pixels[std::size_t{y} * raster.width + x] = pixel_of_levels(level);
     }
   return raster;
 }

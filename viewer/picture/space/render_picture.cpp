@@ -124,7 +124,7 @@ void RenderedView3::add_pixels(const RadiositySolution& solution) {
 
 void RenderedView3::gather(Granularity granularity, const RadiositySolution& solution) {
   const GatheredSource3 source(
-      prepared_, granularity, solution, options_.asked,
+      prepared_, granularity, solution, responses_3(options_.asked, solution),
       options_.light_shares ? std::span<const LightShares>(*options_.light_shares) : std::span<const LightShares>());
   std::optional<SceneLights3> lights;
   if (options_.shown) lights.emplace(prepared_);
@@ -153,8 +153,7 @@ double RenderedView3::steps_between(const ToneCurve* curve, std::span<const doub
     if (curve != nullptr) return (*curve)(shown);
     return Colour{srgb_from_linear(shown[0]), srgb_from_linear(shown[1]), srgb_from_linear(shown[2])};
   };
-  const Colour p = colour(a), q = colour(b);
-  return 255 * std::max({std::fabs(p.r - q.r), std::fabs(p.g - q.g), std::fabs(p.b - q.b)});
+  return steps_between_3(colour(a), colour(b));
 }
 
 Colour RenderedView3::colour_of(std::span<const double> shown) const {

@@ -29,11 +29,6 @@ bool holds(const PixelPolygon& polygon, const Pixel& at) {
   return true;
 }
 
-std::uint32_t pixel_of(const std::array<std::uint8_t, 3>& level) {
-  return 0xFF000000u | static_cast<std::uint32_t>(level[0]) << 16 | static_cast<std::uint32_t>(level[1]) << 8 |
-         level[2];
-}
-
 }  // namespace
 
 SeenPicture3::SeenPicture3(const SeenScene3& scene, const Camera3& camera)
@@ -178,7 +173,7 @@ void SeenPicture3::draw_light(std::size_t block, const ToneCurve& tone, Raster& 
   for (auto& pixel : pixels) {
     const double sky = std::max(0.0, 1 - pixel[Channels]);
     for (std::size_t c = 0; c < Channels; ++c) pixel[c] += sky * paint_.sky[c];
-    *to++ = pixel_of(tone.near_levels(std::span<const double>(pixel).first(Channels)));
+    *to++ = pixel_of_levels(tone.near_levels(std::span<const double>(pixel).first(Channels)));
   }
 }
 
@@ -214,7 +209,7 @@ void SeenPicture3::draw_values(std::size_t block, Raster& raster) const {
     const double sky = std::max(0.0, 1 - pixel[kColours]);
     std::array<std::uint8_t, 3> level{};
     for (std::size_t c = 0; c < kColours; ++c) level[c] = srgb_level(pixel[c] + sky * paint_.sky[c]);
-    *to++ = pixel_of(level);
+    *to++ = pixel_of_levels(level);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/name.h"
+#include "geometry/scene_names.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
 #include "viewer/picture/space/seen_sides.h"
@@ -30,6 +31,9 @@ std::optional<Face> side_at(const Arrangement3& arrangement, const Face& face, c
 
 Grid3 texel_grid_3(const Scene3& scene, const Face& face, std::uint32_t nu, std::uint32_t nv) {
   const Polygon3& polygon = scene.polygons[face.surface];
+  if (!scene.surfaces[face.surface].material_of(face.is_back))
+    throw UsageError("texels are of faces with light, and " + quoted_name(face_name(scene, face)) +
+                     " has no material, and no light");
   if (polygon.is_nearly_plane)
     throw UsageError("texels are of faces that are plane, and " + quoted_name(scene.surfaces[face.surface].name) +
                      " is so only nearly");

@@ -12,7 +12,8 @@
 namespace hottel {
 
 // Returns the texels of a face as cells: from its first corner u goes to the second, v to the last. A point (s, t) of
-// `visibility --on` is at s u + t v. Throws UsageError where the polygon is plane only nearly.
+// `visibility --on` is at s u + t v. Throws UsageError where the polygon is plane only nearly, or the face has no
+// material.
 Grid3 texel_grid_3(const Scene3& scene, const Face& face, std::uint32_t nu, std::uint32_t nv);
 
 // Returns the light at the middle of each texel, gathered, direct light included: what the source responds with, by its

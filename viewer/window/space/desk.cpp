@@ -17,6 +17,7 @@
 #include "kernel/support/failure.h"
 #include "viewer/edit/material_edits.h"
 #include "viewer/edit/space/typed_point.h"
+#include "viewer/picture/png_file.h"
 #include "viewer/picture/space/camera_view.h"
 #include "viewer/picture/space/render_picture.h"
 #include "viewer/window/file_questions.h"
@@ -73,7 +74,8 @@ Desk3::Desk3(DeskSource3 source, Window& window, const FactorsRequest3& factors,
           },
           [this](const Scene3& edited) { return why_not_stand(edited); }),
       size_(window.size()),
-      looking_([&window] { window.wake(); }) {
+      looking_([&window] { window.wake(); }),
+      gathered_([&window] { window.wake(); }) {
   file_.note();
   set_scene(source_.read());
 }
@@ -141,8 +143,10 @@ bool Desk3::update() {
     is_fitted_ = true;
     fit();
   }
-  if (has_come || has_looked) needs_base_ = true;
+  const bool has_gathered = gathered_.collect();
+  if (has_come || has_looked || has_gathered) needs_base_ = true;
   choose_tone();
+  gather();
   if (state().version != asked_of_) ask(request_.look == LookKind3::kSweeps);
   watch_file();
   if (!needs_base_ && !needs_frame_) return false;
@@ -171,14 +175,17 @@ void Desk3::settle(double seconds) {
   for (double waited = 0;; waited += watch.lap()) {
     live_.wait(seconds - waited);
     update();  // what has come may ask for what is looked at
-    if (live_.is_at_rest() && !looking_.is_busy()) return;
+    if (live_.is_at_rest() && !looking_.is_busy() && !gathered_.is_busy()) return;
     if (waited > seconds)
       throw RequestError(fmt::format("{}: the light is not there after {} s", file_.path().string(), seconds));
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }
 
-void Desk3::run() { run_desk(*this, window_, kSecondsBetweenFileChecks); }
+void Desk3::run() {
+  gathers_ = true;
+  run_desk(*this, window_, kSecondsBetweenFileChecks);
+}
 
 void Desk3::set_request(LookRequest3 request) {
   if (request == request_) return;
@@ -277,6 +284,7 @@ void Desk3::quit() {
 void Desk3::save_picture(const std::filesystem::path& file) const {
   const auto format = picture_format(file.string());
   if (!format) throw UsageError("a picture ends in .png, .svg or .pdf, not '" + file.string() + "'");
+  if (gathered_.done() > 0 && *format == PictureFormat::kPng) return write_output_file(file, png_file(base_));
   const ShownLook3 look = this->look();
   if (look.radiosities() == nullptr)
     throw RequestError("there is no light to draw" + (state().problem.empty() ? "" : ": " + state().problem));

@@ -24,6 +24,7 @@
 #include "viewer/window/scroll.h"
 #include "viewer/window/space/camera.h"
 #include "viewer/window/space/desk_source.h"
+#include "viewer/window/space/gathered_frame.h"
 #include "viewer/window/space/live_scene.h"
 #include "viewer/window/space/look.h"
 #include "viewer/window/watched_file.h"
@@ -44,7 +45,9 @@ namespace hottel {
 //   (6) while lights move, what is shown is the light of scene_after(scene(), time()): a function of scene and time
 //   (7) the wheel and what moves across keep the place that is pointed at under the mouse
 //   (8) while polygons are dragged the light is coarse (LiveDepth3), and says so
-//   (9) where nothing shines the form of the scene is shown, and where light is nearly even, outlines beside it
+//   (9) where light is gathered, at rest, squares of what the eye sees have the light of each point (GatheredFrame3) as
+//       soon as it is there; until then, and while anything moves, they have that of elements
+//   (10) where nothing shines the form of the scene is shown, and where light is nearly even, outlines beside it
 // Its functions are for the thread of the window.
 class Desk3 : public Desk {
  public:
@@ -64,7 +67,7 @@ class Desk3 : public Desk {
   // orbit, turn, pan, zoom, walk, eye, pick, material (docs/window.md).
   bool do_own_step(const ScriptStep& step) override;
 
-  // Takes events and updates until it wants to quit.
+  // Takes events and updates until it wants to quit; light is gathered at rest, unless a key stops that.
   void run();
 
   const SceneEditor3& editor() const { return editor_; }
@@ -84,6 +87,8 @@ class Desk3 : public Desk {
   double exposure() const { return exposure_; }
   bool is_smooth() const { return is_smooth_; }
   bool has_outlines() const { return has_outlines_; }
+  // Fraction of the frame whose light is gathered.
+  double gathered() const { return gathered_.done(); }
   // The place of the scene that is pointed at: of the surface there, else as far away as what is looked at.
   Direction3 pointed_place(const Pixel& place) const;
 
@@ -183,6 +188,8 @@ class Desk3 : public Desk {
   std::vector<SideText> side_texts() const;
   void draw_legends(PictureCanvas& canvas, double bottom) const;
   void choose_tone();
+  void gather();
+  std::string gathering_text() const;
   void add_outlines(const SeenPicture3& picture);
   std::string file_title() const;
   std::string head() const;
@@ -212,6 +219,7 @@ class Desk3 : public Desk {
   bool has_tone_ = false;      // chosen for the first light, or by hand
   bool has_outlines_ = false;  // the same
   bool is_smooth_ = true, shows_help_ = false, wants_quit_ = false;
+  bool gathers_ = false;  // at rest
 
   Pixel mouse_{}, pressed_{};
   bool has_mouse_ = false, has_moved_ = false;
@@ -228,6 +236,7 @@ class Desk3 : public Desk {
   std::optional<Seen> light_, values_;  // values_: nothing where light alone is shown
   ElementPaint3 paint_;                 // of the light that is shown
   std::optional<LightLegend> legend_;   // what it means
+  GatheredFrame3 gathered_;
   Scrolls scrolls_;
   bool needs_base_ = true, needs_frame_ = true;
   Raster base_, frame_;

@@ -48,6 +48,9 @@ bool Desk3::look_command(std::string_view name) {
   } else if (name == "shading") {
     is_smooth_ = !is_smooth_;
     message_ = is_smooth_ ? "blended over flat surfaces" : "one value an element";
+  } else if (name == "gather") {
+    gathers_ = !gathers_;
+    message_ = gathers_ ? "at rest light is gathered point by point" : "the light of elements";
   } else if (name == "tone") {
     tone_ = next_of(kTones, tone_, 1);
     has_tone_ = true;

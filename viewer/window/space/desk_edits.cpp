@@ -28,7 +28,7 @@ constexpr int kNewAcross = 20;   // of the sides of what is added, across the sc
 constexpr std::array kAxisNames{"x", "y", "z"};
 constexpr std::array<Rational Point3::*, 3> kCoordinatesOf{&Point3::x, &Point3::y, &Point3::z};
 
-// The axis to which a plane is most nearly square.
+// The axis along which a vector is longest.
 std::size_t axis_across(const Vector3& normal) {
   const std::array<Rational, 3> size{abs(normal.x), abs(normal.y), abs(normal.z)};
   return static_cast<std::size_t>(std::ranges::max_element(size) - size.begin());
@@ -187,7 +187,12 @@ void Desk3::turn_selection(std::string_view name) {
   const auto light = editor_.selected_light();
   const bool has_axis = !light || scene()->lights[*light].type != LightType::kPoint;
   const Rational degrees = name == "turn" ? 15 : name == "turn back" ? -15 : 90;
-  say(editor_.rotate(degrees, 2, decimals_at(1 / camera_.length_of_pixel(size_)) + 2),
+  // The vertical of polygons is the axis to which `up` of the camera is nearest, that of lights z.
+  const std::size_t vertical = axis_across(home_.up);
+  const std::array up{home_.up.x, home_.up.y, home_.up.z};
+  const bool is_down = !light && up[vertical] < 0;
+  say(editor_.rotate(is_down ? Rational(-degrees) : degrees, static_cast<int>(vertical),
+                     decimals_at(1 / camera_.length_of_pixel(size_)) + 2),
       !has_axis ? "a point light has no axis to turn" : "it turns about the vertical, and that is its axis");
 }
 

@@ -72,6 +72,7 @@ void Desk3::draw_seen() {
   const SeenPicture3& seen =
       see(model, is_form ? form_of_3(look.version()->scene(), model->table()) : paint_, is_smooth_, light_);
   Raster lit = seen.raster(is_form ? &as_it_is : &tone);
+  if (!is_form) gathered_.draw(tone, lit);
   if (!is_split()) {
     base_ = std::move(lit);
     return add_outlines(seen);
@@ -143,8 +144,10 @@ std::string Desk3::head() const {
   if (now.is_coarse) return text + "   coarse: whole polygons, estimated";
   if (!now.is_lit() || !now.problem.empty()) return text;
   if (look.version() != now.version.get()) text += "   before the last edit";
-  return text + fmt::format("   {} elements, {:.0f} ms", look.version()->model().table().count(),
-                            1e3 * look.version()->seconds());
+  return text +
+         fmt::format("   {} elements, {:.0f} ms", look.version()->model().table().count(),
+                     1e3 * look.version()->seconds()) +
+         gathering_text();
 }
 
 // What lies under the mouse.

@@ -94,6 +94,21 @@ TEST(Desk3Edits, TypeCoordinates) {
   expect_light_of_a_new_window(hand);
 }
 
+// Where y is up.
+TEST(Desk3Edits, TurnAboutTheVerticalOfTheCamera) {
+  std::string text = testing_desk::kRoom;
+  text.insert(text.rfind("\"field_of_view\""), "\"up\": [0.1, 1, 0], ");
+  text.replace(text.rfind("\"eye\": [0.9, 0.1, 1.1], \"target\": [1, 2, 0.9]"), 45,
+               "\"eye\": [0.9, 1.1, 0.1], \"target\": [1, 1, 0.9]");
+  Hand hand(text);
+  hand.play("pick lamp\ndo turn square");
+  std::set<std::string> heights;
+  for (const Point3& p : hand.desk->scene()->polygons[hand.desk->scene()->find("lamp").value()].points)
+    heights.insert(to_string(p.y));
+  EXPECT_EQ(heights.size(), 2u) << "it stands upright still, where about z it would lie";
+  EXPECT_EQ(first_corner(hand, "lamp").y, Rational(1, 2));
+}
+
 TEST(Desk3Edits, AddBoxesAndRectanglesAtTheMouse) {
   Hand hand;
   hand.play("move 0.5,1.5,0\nkey n\nkey enter");

@@ -423,7 +423,7 @@ std::string room_with(const std::string& lamp) {
   return text.replace(text.find(emits), emits.size(), R"("emission": )" + lamp);
 }
 
-// (8)
+// (9)
 TEST(Desk3, ShowsTheFormWhereNothingShines) {
   Hand hand(room_with("0"));
   hand.play("leave");
