@@ -198,12 +198,13 @@ void add_convert(Commands& commands) {
        "hottel convert scenes/analytic/triangle_345.json -"},
       [options](Streams& streams) { return convert(*options, streams); });
   command
-      .add_option(
-          "IN", options->in,
-          "drawing (.svg), map (.geojson, .wkt), mesh (.obj, .ply, .off, .stl), deck (.vs3) or scene (.json, .hs); - is "
-          "a scene, map or drawing on standard input")
+      .add_option("IN", options->in,
+                  "drawing (.svg), map (.geojson, .wkt), mesh (.obj, .ply, .off, .stl), deck (.vs3) or scene (.json, "
+                  ".hs); - is "
+                  "a scene, map or drawing on standard input")
       ->required();
-  command.add_option("OUT", options->out, "the scene (.json, .hs; - is standard output), mesh or deck to write")->required();
+  command.add_option("OUT", options->out, "the scene (.json, .hs; - is standard output), mesh or deck to write")
+      ->required();
   command
       .add_option("--per", options->per,
                   "of a deck (.vs3): group combines the surfaces of a group (cmb), as is the default where IN is one; "
