@@ -95,8 +95,7 @@ Scene read(const std::filesystem::path& file, const Reading& reading) {
     require_plane(reading, name);
     return is_svg_2(file) ? read_svg_2(file, reading.passed_over) : read_map_2(file, reading.side, reading.passed_over);
   }
-  if (!is_vs3(file) && !mesh_format_3(file))
-    return read_scene_file(read_text_file(file), name, reading);
+  if (!is_vs3(file) && !mesh_format_3(file)) return read_scene_file(read_text_file(file), name, reading);
   require_space(reading, name);
   return is_vs3(file) ? read_vs3_3(file, reading.triangulator).scene
                       : read_mesh_scene_3(file, reading.triangulator, reading.passed_over).scene;
