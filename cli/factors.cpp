@@ -133,7 +133,6 @@ SimulationRequest2 request_of(const FactorsOptions& options, const Scene2& scene
 
 Factors factors_of(const FactorsOptions& options, const Simulation2& simulation, const Streams& streams) {
   Factors factors;
-  simulation.require_closed(streams.stages());
   factors.computed = simulation.factors(streams.stages());
   factors.prepared = simulation.prepared();
   factors.report = {options.scene, options.method, simulation.granularity(), factors.computed->report};
@@ -145,7 +144,7 @@ Factors factors_of(const FactorsOptions& options, const Simulation2& simulation,
   return factors;
 }
 
-void factors_in_plane(const FactorsOptions& options, Scene2 scene, Streams& streams) {
+void factors_in_plane(FactorsOptions& options, Scene2 scene, Streams& streams) {
   SimulationRequest2 request = request_of(options, scene);
   const auto picture = options.picture.empty() ? std::nullopt : picture_format(options.picture);
   require_use_of_limits(options);
@@ -155,9 +154,13 @@ void factors_in_plane(const FactorsOptions& options, Scene2 scene, Streams& stre
   if (options.elements.is_given() && options.granularity != "element" && !request.method->works_by_elements())
     streams.note("elements change nothing here: rows are those of whole " + options.granularity +
                  "s; --per element has a row each");
-  const Simulation2 simulation(std::move(scene), std::move(request));
+  const FactorOrigin origin{2, options.method, options.keeps_scene() ? write_scene_2(scene) : ""};
+  Simulation2 simulation(std::move(scene), std::move(request));
 
   FactorsFiles files(options, streams);
+  simulation.require_closed(streams.stages());
+  if (takes_groups_of_many(options, simulation.factors(streams.stages())->matrix.entry_count(), streams))
+    simulation = simulation.with_request(request_of(options, simulation.scene()));
   const Factors factors = factors_of(options, simulation, streams);
   const PreparedScene2& prepared = *factors.prepared;
   FactorTable table{prepared.scene, factors.written(), factors.report.granularity, {}, {}};
@@ -173,7 +176,7 @@ void factors_in_plane(const FactorsOptions& options, Scene2 scene, Streams& stre
   if (files.out)
     naming_file(options.scene, [&] {
       if (options.wants_exact_form) return write_closed_forms(options, prepared, table, *files.out);
-      write_table(options, table, files,
+      write_table(options, table, origin, files,
                   [&](const Sink& sink) { write_faces_csv(table, element_pieces(prepared, table.granularity), sink); });
     });
   files.finish();
@@ -274,7 +277,7 @@ void add_factors(Commands& commands) {
   command.add_option("SCENE", options->scene, "the scene file");
   command
       .add_option("-o", options->out,
-                  "the file to write: .csv .mtx .npy .txt .bin; without it, or with -, csv on standard output")
+                  "the file to write: .csv .mtx .npy .h5 .txt .bin; without it, or with -, csv on standard output")
       ->type_name("FILE");
   command.add_option("--method", options->method, "how to compute, each also as METHOD:normalised" + methods_text())
       ->type_name("METHOD")

@@ -50,9 +50,9 @@ FactorsRequest3 request_in_space(const FactorsOptions& options, const Scene3& sc
 
 }  // namespace
 
-void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams& streams) {
+void factors_in_space(FactorsOptions& options, Scene3 scene, const Streams& streams) {
   require_what_space_has(options);
-  const FactorsRequest3 request = request_in_space(options, scene);
+  FactorsRequest3 request = request_in_space(options, scene);
   options.elements.apply_to(scene);
   require_room_for(options, [&](FactorFormat format) {
     const ElementCounts3 counts = element_counts(scene, request.granularity);
@@ -62,10 +62,15 @@ void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams
       !(request.method && request.method->works_by_elements()))
     streams.note("elements change nothing here: rows are those of whole " + options.granularity +
                  "s; --per element has a row each");
-  const Simulation3 simulation(std::move(scene), {.factors = request});
+  const FactorOrigin origin{3, options.method, options.keeps_scene() ? write_scene_3(scene) : ""};
+  Simulation3 simulation(std::move(scene), {.factors = request});
 
   FactorsFiles files(options, streams);
   simulation.require_closed(streams.stages());
+  if (takes_groups_of_many(options, simulation.factors(streams.stages())->matrix.entry_count(), streams)) {
+    request.granularity = options.per();
+    simulation = simulation.with_request({.factors = request});
+  }
   const auto computed = simulation.factors(streams.stages());
   const auto prepared = simulation.prepared();
   std::optional<GrayFactors> gray;
@@ -79,7 +84,7 @@ void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams
   if (options.pairs == "facing" || options.matrix == "visibility") table.hidden = *simulation.hidden(streams.stages());
   if (files.out)
     naming_file(options.scene, [&] {
-      write_table(options, table, files, [&](const Sink& sink) {
+      write_table(options, table, origin, files, [&](const Sink& sink) {
         const ElementTable3& elements = *prepared->elements(request.granularity);
         write_faces_csv_3(table, written_outlines(elements, prepared->blockers().vertices()), sink);
       });

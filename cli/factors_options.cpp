@@ -6,11 +6,14 @@
 #include <string_view>
 
 #include "io/files/disk_space.h"
+#include "io/files/hdf5.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/word_list.h"
 
 namespace hottel {
 namespace {
+
+constexpr std::size_t kMostUnasked = 100'000'000;  // factors in a file that nobody said were wanted
 
 // All file endings: ".csv, .mtx or .txt (View3D)".
 std::string all_endings() {
@@ -34,6 +37,7 @@ FactorFormat FactorsOptions::format() const {
   if (out.empty() || out == "-") return FactorFormat::kCsv;
   const bool is_csv_only = !matrix.empty() || wants_exact_form;
   const std::optional<FactorFormat> by_ending = factor_format(out);
+  if (by_ending == FactorFormat::kHdf5) require_hdf5("'" + out + "'");
   if (by_ending && (!is_csv_only || *by_ending == FactorFormat::kCsv)) return *by_ending;
   if (!is_csv_only) {
     if (awaits_deck || deck.out == 0U) return FactorFormat::kView3dText;
@@ -80,6 +84,17 @@ void take_rows(const FactorsOptions& options, const Streams& streams, FactorTabl
   streams.note(fmt::format("--rows {}: {} of {} rows", options.rows, table.only_rows.size(), all));
 }
 
+bool takes_groups_of_many(FactorsOptions& options, std::size_t factors, const Streams& streams) {
+  const bool is_told = options.per_option->count() > 0 || !options.rows.empty() || options.granularity != "face";
+  if (is_told || options.wants_exact_form || !options.keeps_scene() || factors <= kMostUnasked) return false;
+  options.granularity = "group";
+  streams.note(
+      fmt::format("{} would list {} factors of faces: it has groups instead, a row for each polyline or mesh; "
+                  "--per face lists all, --rows NAME some",
+                  options.out, factors));
+  return true;
+}
+
 FactorsFiles::FactorsFiles(const FactorsOptions& options, const Streams& streams) {
   if (!options.json || !options.out.empty()) out.emplace(streams.output(options.out));
   if (const char* const beside = row_of(options.format()).beside) rows.emplace(options.out + beside);
@@ -103,8 +118,8 @@ void note_matrix(const FactorsOptions& options, const FactorTable& table, const 
                            table.gray_channel ? "script-F" : "view factors F", size, size, options.out));
 }
 
-void write_table(const FactorsOptions& options, const FactorTable& table, FactorsFiles& files,
-                 const std::function<void(const Sink&)>& write_faces) {
+void write_table(const FactorsOptions& options, const FactorTable& table, const FactorOrigin& origin,
+                 FactorsFiles& files, const std::function<void(const Sink&)>& write_faces) {
   const Sink sink = [&files](std::string_view text) { files.out->write(text); };
   if (!options.matrix.empty()) {
     write_dense_csv(table,
@@ -123,6 +138,8 @@ void write_table(const FactorsOptions& options, const FactorTable& table, Factor
     case FactorFormat::kNpy:
       write_factors_npy(table, sink);
       return files.rows->write(factors_sidecar(table));
+    case FactorFormat::kHdf5:
+      return write_factors_hdf5(table, origin, *files.out);
     case FactorFormat::kView3dText:
       return write_factors_view3d_text(table, sink);
     case FactorFormat::kView3dBinary:

@@ -15,6 +15,7 @@
 #include "cli/streams.h"
 #include "geometry/row_choice.h"
 #include "io/results/factor_files.h"
+#include "io/results/factor_hdf5.h"
 
 namespace hottel {
 
@@ -45,11 +46,17 @@ struct FactorsOptions {
   FactorFormat format() const;
   // Whether the pairs that see each other are listed: else all have a place.
   bool lists_pairs() const;
+  // Whether the file holds the scene too.
+  bool keeps_scene() const { return format() == FactorFormat::kHdf5; }
 };
 
 // Throws RequestError where a dense file of so many rows would not fit on its disk. sizes: of all faces, and of those
 // that radiate.
 void require_room_for(const FactorsOptions& options, const std::function<DenseSize(FactorFormat)>& size);
+
+// Sets --per to group, and says so, where a file that holds its scene (.h5) would list more than 10^8 factors of faces,
+// and neither --per nor --rows tells what of them is wanted. Returns whether it did.
+bool takes_groups_of_many(FactorsOptions& options, std::size_t factors, const Streams& streams);
 
 // The files of a run, opened before the work: a path that cannot be written is found at once.
 struct FactorsFiles {
@@ -74,7 +81,7 @@ void note_matrix(const FactorsOptions& options, const FactorTable& table, const 
 
 // Writes the factors as they are asked for, and what their rows are where the format has a file for that. write_faces:
 // writes FILE.faces.csv of a .mtx. Not for closed forms.
-void write_table(const FactorsOptions& options, const FactorTable& table, FactorsFiles& files,
-                 const std::function<void(const Sink&)>& write_faces);
+void write_table(const FactorsOptions& options, const FactorTable& table, const FactorOrigin& origin,
+                 FactorsFiles& files, const std::function<void(const Sink&)>& write_faces);
 
 }  // namespace hottel

@@ -143,8 +143,8 @@ void add_view(Commands& commands) {
   const auto options = std::make_shared<ViewOptions>();
   CLI::App& command = commands.add(
       "view",
-      "A window: move walls, furniture and lamps, and exact light follows; in space: walk through the light and move\n"
-      "its lights\n\n"
+      "A window: move walls, furniture and lamps, in the plane and in space, and exact light follows; in space walk\n"
+      "through it\n\n"
       "Press h in the window for all keys. With --screenshot, --script or --record there is no window, and no display\n"
       "is needed; docs/window.md has the steps of a script.",
       {"hottel view scenes/showcase/apartment.json --screenshot /tmp/apartment.png",

@@ -128,6 +128,11 @@ void OutputFile::write(std::string_view bytes) {
   hand_on(bytes);
 }
 
+const std::string& OutputFile::place() const {
+  if (temporary_.empty()) throw OutputError(name_, "is no regular file, and this format needs one");
+  return temporary_;
+}
+
 void OutputFile::finish() {
   if (descriptor_ < 0) return;
   drain();

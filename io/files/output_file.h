@@ -62,6 +62,9 @@ class OutputFile {
   void commit();
 
   const std::string& name() const { return name_; }
+  // Where the bytes are until commit(), for libraries that write a file by its path, instead of write(). Throws
+  // OutputError for what is no regular file.
+  const std::string& place() const;
 
  private:
   void open();

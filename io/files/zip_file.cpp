@@ -1,9 +1,8 @@
 #include "io/files/zip_file.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 
+#include "io/files/crc32.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -33,14 +32,6 @@ class Record {
   std::string bytes_;
 };
 
-std::uint32_t checksum_of(std::string_view bytes) {
-  constexpr std::size_t kPart = std::size_t{1} << 30;
-  uLong sum = crc32(0, nullptr, 0);
-  for (; !bytes.empty(); bytes.remove_prefix(std::min(bytes.size(), kPart)))
-    sum = crc32(sum, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(std::min(bytes.size(), kPart)));
-  return static_cast<std::uint32_t>(sum);
-}
-
 }  // namespace
 
 void ZipWriter::write(std::string_view bytes) {
@@ -51,7 +42,7 @@ void ZipWriter::write(std::string_view bytes) {
 
 void ZipWriter::add(const std::string& name, std::string_view bytes) {
   if (bytes.size() > kLimit) throw RequestError("an archive of more than 4 GiB is not written");
-  const Entry entry{name, checksum_of(bytes), static_cast<std::uint32_t>(bytes.size()),
+  const Entry entry{name, crc32_of(bytes), static_cast<std::uint32_t>(bytes.size()),
                     static_cast<std::uint32_t>(written_)};
   Record head;
   head.four(kLocalEntry).two(kVersion).two(0).two(0).two(0).two(kDate);

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "geometry/name.h"
+#include "io/files/hdf5.h"
 #include "io/foreign/csv_reader.h"
 #include "io/foreign/foreign_file.h"
 #include "io/foreign/foreign_number.h"
@@ -75,8 +76,9 @@ ForeignKind foreign_kind(const std::filesystem::path& file, std::string_view tex
   if (text.starts_with("\x93NUMPY")) return ForeignKind::kNumpy;
   if (text.starts_with("%%MatrixMarket")) return ForeignKind::kMatrixMarket;
   if (text.starts_with("View3D")) return ForeignKind::kView3d;
+  if (is_hdf5(text)) return ForeignKind::kHdf5;
   const std::string ending = file.extension().string();
-  for (const char* other : {".npy", ".mtx", ".bin"})
+  for (const char* other : {".npy", ".mtx", ".bin", ".h5"})
     if (ending == other) return ForeignKind::kUnknown;
   if (ending != ".csv" && text.substr(0, 4096).find('\0') != std::string_view::npos) return ForeignKind::kUnknown;
   CsvReader csv(file.string(), text, csv_dialect_of(text));

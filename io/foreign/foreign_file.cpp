@@ -65,6 +65,8 @@ ForeignMatrix read_as_written(const std::filesystem::path& file, std::string_vie
       return read_numpy(name, text);
     case ForeignKind::kView3d:
       return read_view3d(name, text);
+    case ForeignKind::kHdf5:
+      return read_hdf5(name, text);
     case ForeignKind::kPairList:
       return read_pair_list(name, text);
     case ForeignKind::kDenseCsv:
@@ -76,7 +78,7 @@ ForeignMatrix read_as_written(const std::filesystem::path& file, std::string_vie
   }
   throw InputError(
       {name, 0}, text.empty() ? "is empty" : "holds no view factors in a format that hottel reads",
-      {"hottel reads csv, Matrix Market (%%MatrixMarket), NumPy (.npy) and View3D's text and binary output",
+      {"hottel reads csv, Matrix Market (%%MatrixMarket), NumPy (.npy), HDF5 (.h5) and View3D's text and binary output",
        "each is told by its first bytes, csv by the ending .csv, or .txt where it begins with numbers"});
 }
 

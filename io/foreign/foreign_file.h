@@ -50,6 +50,7 @@ struct ForeignMatrix {
 //   %%MatrixMarket      coordinate or array, real or integer, general or symmetric
 //   \x93NUMPY           float64 or float32, C or Fortran order, two dimensions
 //   View3D              text (out=0) or binary (out=1)
+//   \x89HDF             HDF5: rows in compressed arrays `begin`, `column`, `factor`, perhaps `names` and `area`
 //   csv with a head     `from`, `to` and `factor` among its columns: a list of pairs
 //   other csv           dense: names in the first row and column, or numbers alone
 //
@@ -64,12 +65,13 @@ ForeignMatrix read_foreign_matrix(const std::filesystem::path& file);
 ForeignMatrix parse_foreign_matrix(const std::filesystem::path& file, std::string_view text);
 
 // What a file holds, judged by its first bytes and, for csv, by the names of its columns.
-enum class ForeignKind { kMatrixMarket, kNumpy, kView3d, kPairList, kDenseCsv, kRadiosity, kUnknown };
+enum class ForeignKind { kMatrixMarket, kNumpy, kView3d, kHdf5, kPairList, kDenseCsv, kRadiosity, kUnknown };
 ForeignKind foreign_kind(const std::filesystem::path& file, std::string_view text);
 
 // One reader a format, of the file's whole text; property (1) is not yet there.
 ForeignMatrix read_matrix_market(const std::string& file, std::string_view text);
 ForeignMatrix read_numpy(const std::string& file, std::string_view text);
+ForeignMatrix read_hdf5(const std::string& file, std::string_view text);
 ForeignMatrix read_view3d(const std::string& file, std::string_view text);
 ForeignMatrix read_pair_list(const std::string& file, std::string_view text);
 ForeignMatrix read_dense_csv(const std::string& file, std::string_view text);

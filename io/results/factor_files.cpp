@@ -289,6 +289,7 @@ DenseSize dense_size(std::uint64_t faces, std::uint64_t radiating, FactorFormat 
     case FactorFormat::kCsv:
       return size(n, 0, 2, 0);
     case FactorFormat::kMtx:
+    case FactorFormat::kHdf5:
       break;
   }
   throw ContractViolation("a list of pairs is as long as there are pairs");

@@ -65,7 +65,7 @@ enum class DenseQuantity { kFactor, kExchange, kVisibility };
 void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sink& sink);
 
 // What factors are written as. View3D's formats and .npy hold every pair, be it visible or not.
-enum class FactorFormat : unsigned char { kCsv, kMtx, kNpy, kView3dText, kView3dBinary };
+enum class FactorFormat : unsigned char { kCsv, kMtx, kNpy, kHdf5, kView3dText, kView3dBinary };
 
 struct FactorFormatRow {
   FactorFormat format;
@@ -75,10 +75,11 @@ struct FactorFormatRow {
   bool is_text;
   const char* beside;  // the ending of a file beside it, which says what its rows are; null: there is none
 };
-inline constexpr std::array<FactorFormatRow, 5> kFactorFormats{
+inline constexpr std::array<FactorFormatRow, 6> kFactorFormats{
     {{FactorFormat::kCsv, ".csv", "", true, true, nullptr},
      {FactorFormat::kMtx, ".mtx", "", true, true, ".faces.csv"},
      {FactorFormat::kNpy, ".npy", "", false, false, ".json"},
+     {FactorFormat::kHdf5, ".h5", "", true, false, nullptr},
      {FactorFormat::kView3dText, ".txt", "View3D", false, true, nullptr},
      {FactorFormat::kView3dBinary, ".bin", "View3D", false, false, nullptr}}};
 const FactorFormatRow& row_of(FactorFormat format);
@@ -91,7 +92,7 @@ struct DenseSize {
   std::uint64_t rows = 0;
   std::uint64_t bytes = 0;
 };
-// Of csv that with --matrix. REQUIRES: not .mtx, which has no such size.
+// Of csv that with --matrix. REQUIRES: neither .mtx nor .h5, which have no such size.
 DenseSize dense_size(const SceneTable& scene, Granularity granularity, FactorFormat format);
 // The same of so many faces, and of so many of them that have a material. (In space a surface has more elements than
 // its table says.)

@@ -20,7 +20,8 @@ using Scene = std::variant<Scene2, Scene3>;
 
 // Returns the scene of a file: of JSON, in the plane or in space as its "dimension" says; of a map (.geojson, .wkt),
 // its polygons seen from `side`, or a drawing (.svg), which are in the plane; or of a mesh (mesh_format_3) or a deck of
-// View3D (.vs3), which are in space. Polygons that are not plane are refused, or cut by the triangulator. What is
+// View3D (.vs3), which are in space; or of a binary scene (binary_scene.h), which is told by its first bytes. Polygons
+// that are not plane are refused, or cut by the triangulator. What is
 // passed over in maps, drawings and meshes is counted.
 //
 //   (1) every number has exactly the value that is typed; validate(scene) holds

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "geometry/name.h"
+#include "io/scene/binary_scene.h"
 #include "io/scene/exact_json.h"
 #include "io/scene/json_fields.h"
 #include "io/scene/plane/map_reader.h"
@@ -75,6 +76,19 @@ void require_space(const Reading& reading, const std::string& name) {
   if (reading.wanted == 2) throw InputError({name, 0}, kInThePlaneOnly, {kDoneInSpace});
 }
 
+void require_wanted(const Scene& scene, const Reading& reading, const std::string& name) {
+  std::holds_alternative<Scene2>(scene) ? require_plane(reading, name) : require_space(reading, name);
+}
+
+// Of a text with numbers that are read, or of bytes with those that were.
+Scene read_scene_file(std::string_view text, const std::string& name, const Reading& reading) {
+  if (!is_binary_scene(text))
+    return parse(text, name, read_text_file, reading.wanted, reading.triangulator, reading.passed_over);
+  Scene scene = parse_binary_scene(text, name);
+  require_wanted(scene, reading, name);
+  return scene;
+}
+
 Scene read(const std::filesystem::path& file, const Reading& reading) {
   const std::string name = file.string();
   if (is_map_2(file) || is_svg_2(file)) {
@@ -82,7 +96,7 @@ Scene read(const std::filesystem::path& file, const Reading& reading) {
     return is_svg_2(file) ? read_svg_2(file, reading.passed_over) : read_map_2(file, reading.side, reading.passed_over);
   }
   if (!is_vs3(file) && !mesh_format_3(file))
-    return parse(read_text_file(file), name, read_text_file, reading.wanted, reading.triangulator, reading.passed_over);
+    return read_scene_file(read_text_file(file), name, reading);
   require_space(reading, name);
   return is_vs3(file) ? read_vs3_3(file, reading.triangulator).scene
                       : read_mesh_scene_3(file, reading.triangulator, reading.passed_over).scene;
@@ -136,6 +150,7 @@ Scene read_scene(const std::filesystem::path& file, Triangulator3* triangulator,
 
 Scene parse_any_scene(std::string_view text, const std::string& name_for_messages, Triangulator3* triangulator,
                       PassedOver* passed_over, MapSide2 side) {
+  if (is_binary_scene(text)) return parse_binary_scene(text, name_for_messages);
   const std::string_view start = text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   if (start.starts_with('<')) return parse_svg_2(text, name_for_messages, passed_over);
   if (const auto format = mesh_format_of(text, start))

@@ -327,7 +327,7 @@ const std::vector<OptionEntry>& option_entries() {
        "-o",
        "hottel factors $S -o f.csv; ls",
        "hottel factors $S",
-       {{"hottel factors $S -o f.png", "factors are written as .csv, .mtx, .npy, .txt (View3D) or .bin (View3D)"}}},
+       {{"hottel factors $S -o f.png", "factors are written as .csv, .mtx, .npy, .h5, .txt (View3D) or .bin (View3D)"}}},
       {"factors",
        "--areas",
        "hottel factors $S --areas",

@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
     all.sizes += one.sizes;
     all.reads += one.reads;
     all.desks += one.desks;
+    all.shapes += one.shapes;
     all.rests += one.rests;
     all.failures.insert(all.failures.end(), one.failures.begin(), one.failures.end());
   }
@@ -40,10 +41,11 @@ int main(int argc, char** argv) {
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   fmt::print(stderr, "\n");
   fmt::print(
-      "{} events: {} keys, {} sizes, {} files written by others; {} frames, {} of them without light, {} desks; "
+      "{} events: {} keys, {} shapes dragged, {} sizes, {} files written by others; {} frames, {} of them without "
+      "light, {} desks; "
       "files compared {} times; "
       "{} failures, {:.1f} s\n",
-      all.events, all.edits, all.sizes, all.reads, all.frames, all.problems, all.desks, all.rests, all.failures.size(),
-      taken.count());
+      all.events, all.edits, all.shapes, all.sizes, all.reads, all.frames, all.problems, all.desks, all.rests,
+      all.failures.size(), taken.count());
   return all.failures.empty() ? 0 : 1;
 }

@@ -135,6 +135,29 @@ TEST_F(ViewedProgram, ALightInSpaceIsDraggedAsAScriptDragsItAndSpins) {
   expect_code(program, 0);
 }
 
+TEST_F(ViewedProgram, APolygonInSpaceIsDraggedAsAScriptDragsIt) {
+  place_.write("stage.json", kLitStage);
+  place_.write("drag.txt", "click @640,650\ndrag @640,650 @640,620\nkey ctrl+s\n");
+  EXPECT_EQ(place_.run("cp stage.json scripted.json; hottel view scripted.json --script drag.txt").code, 0);
+  ViewProgram program = view({"stage.json"});
+  program.frame_at_rest();
+  program.drag(640, 650, 640, 650);  // a click
+  const Raster picked = program.frame_at_rest();
+  program.drag(640, 650, 640, 620);
+  EXPECT_TRUE(gets_title(program, "stage.json * - hottel"));
+  EXPECT_TRUE(program.changes_from(picked));
+  program.keys("ctrl+s");
+  EXPECT_TRUE(gets_title(program, "stage.json - hottel"));
+  EXPECT_NE(place_.read("stage.json"), kLitStage);
+  EXPECT_EQ(place_.read("stage.json"), place_.read("scripted.json"));
+  program.keys("Delete");
+  EXPECT_TRUE(gets_title(program, "stage.json * - hottel"));
+  program.keys("ctrl+q");
+  program.frame_at_rest();
+  program.keys("d");
+  program.has_ended();
+}
+
 TEST_F(ViewedProgram, WhatIsSavedIsWhatAScriptSavesAndSolvesAlike) {
   place_.write("drag.txt", "drag @640,400 @700,430\nkey ctrl+s\n");
   EXPECT_EQ(place_.run("cp room.json scripted.json; hottel view scripted.json --script drag.txt").code, 0);

@@ -221,12 +221,10 @@ class GapCloser {
     const Vector3 normal = doubled_area(now_[s]);
     const Point3 at = place_[c];
     const Rational height = dot(normal, at - now_[s].points[0]);
+    if (is_long(closest.at))
+      if (const Point3 to = short_point_near(now_[s], at, closest); contains(now_[s], to))
+        if (try_move(c, to, s, false, touched)) return true;
     std::vector<Vector3> ways{normal};
-    if (is_long(closest.at)) {
-      // Along the axis nearest to the normal: two coordinates stay as they are.
-      const Rational x = abs(normal.x), y = abs(normal.y), z = abs(normal.z);
-      ways.insert(ways.begin(), x >= y && x >= z ? Vector3{1, 0, 0} : y >= z ? Vector3{0, 1, 0} : Vector3{0, 0, 1});
-    }
     if (touched.size() == 1) {
       // Within the plane that it lies on, square to where that meets the other.
       const Vector3 other = doubled_area(now_[touched[0]]);

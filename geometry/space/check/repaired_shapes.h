@@ -15,6 +15,13 @@ bool is_long(const Point3& p);
 // the foot.
 Point3 short_point_near(const Side3& side, const Point3& p, const ClosestPoint3& closest);
 
+// Returns a point of the plane of the polygon next to the foot of p, with few decimals along two of its sides, hardly
+// farther from p than the foot. REQUIRES a polygon with an area. It may lie beside a polygon whose edge is nearer.
+//
+//   (1) its coordinates are decimals where those of the polygon are: points that are put onto what was put onto
+//       something share their denominators
+Point3 short_point_near(const Polygon3& polygon, const Point3& p, const ClosestPoint3& closest);
+
 // Returns the ring without points that follow on themselves.
 std::vector<Point3> without_repetitions(const std::vector<Point3>& ring);
 

@@ -113,7 +113,22 @@ struct StormDesk {
   std::function<const std::optional<Prompt>&()> prompt;
   std::function<std::string()> written;  // the scene as a file has it; throws what writing throws
   std::function<bool()> has_problem;
+  std::function<std::string()> shape;  // where the corners are
 };
+
+std::string corners_text(const Desk2& desk) {
+  std::string text;
+  for (const Edge2& edge : desk.editor().scene()->edges)
+    for (const Point2& p : {edge.from, edge.to}) text += to_string(p.x) + "," + to_string(p.y) + ";";
+  return text;
+}
+std::string corners_text(const Desk3& desk) {
+  std::string text;
+  for (const Polygon3& polygon : desk.scene()->polygons)
+    for (const Point3& p : corners_of(polygon))
+      text += to_string(p.x) + "," + to_string(p.y) + "," + to_string(p.z) + ";";
+  return text;
+}
 
 StormDesk desk_on(const StormOptions& options, const std::filesystem::path& file, Window& window) {
   if (options.dimension == 2) {
@@ -124,7 +139,7 @@ StormDesk desk_on(const StormOptions& options, const std::filesystem::path& file
               validate(*its->editor().scene());
               return write_scene_2(*its->editor().scene());
             },
-            [its] { return !its->looks().state().problem.empty(); }};
+            [its] { return !its->looks().state().problem.empty(); }, [its] { return corners_text(*its); }};
   }
   const auto read = [file, n = options.elements] {
     Scene3 scene = read_scene_3(file);
@@ -134,7 +149,8 @@ StormDesk desk_on(const StormOptions& options, const std::filesystem::path& file
   auto desk = std::make_unique<Desk3>(DeskSource3{file, read}, window, FactorsRequest3{}, 1.0);
   Desk3* const its = desk.get();
   return {std::move(desk), [its]() -> const std::optional<Prompt>& { return its->prompt(); },
-          [its] { return write_scene_3(*its->scene()); }, [its] { return !its->state().problem.empty(); }};
+          [its] { return write_scene_3(*its->scene()); }, [its] { return !its->state().problem.empty(); },
+          [its] { return corners_text(*its); }};
 }
 
 class Storm {
@@ -241,7 +257,8 @@ class Storm {
     if (kind < 35) return press_key();
     if (kind < 40) return material();
     if (kind < 55) return handle(at_place(Kind::kMove));
-    if (kind < 65) return drag();
+    if (kind < 60) return drag();
+    if (kind < 65) return drag_picked();
     if (kind < 75) return click();
     if (kind < 81) {
       WindowEvent wheel = at_place(Kind::kWheel);
@@ -308,6 +325,33 @@ class Storm {
     WindowEvent release = at_place(Kind::kRelease);
     release.button = press.button;
     handle(release);
+  }
+
+  // What is under the mouse is picked, and dragged from there, along axes too; in the plane a click picks as well.
+  void drag_picked() {
+    if (one_in(3)) handle(key_event("f"));
+    desk_.desk->update();
+    WindowEvent press = at_place(Kind::kMove);
+    press.button = MouseButton::kLeft;
+    for (const Kind kind : {Kind::kMove, Kind::kPress, Kind::kRelease, Kind::kPress}) {
+      press.kind = kind;
+      if (kind == Kind::kPress && one_in(2)) press.held = some_held();
+      handle(press);
+    }
+    for (std::uint64_t k = 1 + below(5); k > 0; --k) {
+      if (one_in(3)) handle(key_event(any_of(std::array{"x", "y", "z"})));
+      press.kind = Kind::kMove;
+      press.x += static_cast<double>(below(61)) - 30;
+      press.y += static_cast<double>(below(61)) - 30;
+      handle(press);
+      if (one_in(2)) desk_.desk->update();
+    }
+    if (one_in(6)) press_key();
+    press.kind = Kind::kRelease;
+    handle(press);
+    const std::string moved = desk_.shape();
+    result_.shapes += moved != shape_ ? 1 : 0;
+    shape_ = moved;
   }
 
   void resize() {
@@ -392,7 +436,7 @@ class Storm {
   std::mt19937_64 random_;
   TemporaryFolder folder_;
   RecordingWindow window_;
-  std::string first_, last_;
+  std::string first_, last_, shape_;
   StormDesk desk_;
   StormResult result_;
   std::uint64_t rests_ = 0;

@@ -19,6 +19,7 @@ struct StormOptions {
 struct StormResult {
   std::uint64_t events = 0, frames = 0, edits = 0, problems = 0;  // problems: frames that said there was no light
   std::uint64_t sizes = 0, reads = 0, desks = 0;                  // desks: begun anew, where one was told to quit
+  std::uint64_t shapes = 0;                                       // that drags of what was picked have made
   std::uint64_t rests = 0;                                        // at which files were compared
   std::vector<std::string> failures{};                            // what broke, with the number of the event
 };

@@ -12,14 +12,13 @@
 #include "kernel/support/failure.h"
 #include "viewer/edit/decimals.h"
 #include "viewer/edit/light_list.h"
+#include "viewer/edit/space/placing.h"
 
 namespace hottel {
 namespace {
 
 constexpr int kRim = 32;                   // corners of the rim of a beam
-constexpr double kLeastSeen = 0.05;        // of an axis, as a part of its length: one that is seen from its end is none
 constexpr double kPixelsPerDegree = 0.02;  // that a focus far from the one before has to be nearer to the mouse
-constexpr double kMostTimesFarther = 1e6;  // than it was, that a light is dragged
 
 double radians(const Rational& degrees) { return to_double(degrees) * std::numbers::pi / 180; }
 
@@ -56,42 +55,6 @@ void move(LightPlace3& place, const Vector3& way) {
     for (Point3& point : place.path->points) point = moved(point);
 }
 
-// A place in decimals, but for coordinates that are nearly those of another one.
-Point3 rounded(const Direction3& place, const Point3& other, int decimals) {
-  const auto coordinate = [decimals](double value, const Rational& before) {
-    const Rational change = exact_value(value) - before;
-    return 2 * abs(change) < decimal_step(decimals) ? before : rounded_decimal(value, decimals);
-  };
-  return {coordinate(place.x, other.x), coordinate(place.y, other.y), coordinate(place.z, other.z)};
-}
-
-bool is_finite(const Direction3& d) { return std::isfinite(d.x) && std::isfinite(d.y) && std::isfinite(d.z); }
-
-// How far along the axis of x, y or z the mouse has moved a place; along that which is seen to go most the same way.
-Direction3 way_along_axis(const Direction3& from, const Pointer3& pointer) {
-  const Pixel at = pointer.seen(from);
-  const double dx = pointer.at.x - at.x, dy = pointer.at.y - at.y;
-  double most = 0;
-  Direction3 result{0, 0, 0};
-  for (const Direction3& axis : {Direction3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
-    const double x = dot(axis, pointer.right) - at.x * dot(axis, pointer.forward);
-    const double y = dot(axis, pointer.up) - at.y * dot(axis, pointer.forward);
-    const double seen = std::hypot(x, y), same = std::abs(x * dx + y * dy) / seen;
-    if (!(seen > kLeastSeen) || !(same > most)) continue;
-    most = same;
-    // The place of the axis that is nearest to the ray of the mouse.
-    const Direction3 ray = unit(pointer.way_to(pointer.at)), way = from - pointer.eye;
-    const double c = dot(axis, ray), along = (c * dot(ray, way) - dot(axis, way)) / (1 - c * c);
-    result = along * axis;
-  }
-  return result;
-}
-
-Direction3 place_dragged(const Direction3& from, const Pointer3& pointer) {
-  return pointer.along_axis ? from + way_along_axis(from, pointer)
-                            : pointer.eye + pointer.depth(from) * pointer.way_to(pointer.at);
-}
-
 // The direction from a light to where the ray of the mouse meets the sphere of its handles, or comes nearest to it.
 Direction3 direction_on_sphere(const Beam& beam, const Pointer3& pointer) {
   const Direction3 ray = unit(pointer.way_to(pointer.at)), way = beam.place - pointer.eye;
@@ -102,21 +65,17 @@ Direction3 direction_on_sphere(const Beam& beam, const Pointer3& pointer) {
   return unit(beside + (is_farther ? half_chord : -half_chord) * ray);
 }
 
-// Of which one is finer than a pixel, where a place is.
-int decimals_of(const Direction3& place, const Pointer3& pointer) {
-  return decimals_at(1 / pointer.length_of_pixel(place)) + 1;
-}
-
 void aim(LightPlace3& place, const Pointer3& pointer) {
-  const int decimals = decimals_of(place_of(place.position), pointer);
-  const Vector3 way = rounded(*pointer.aim, place.position, decimals) - place.position;
+  const int decimals = decimals_at_place(place_of(place.position), pointer);
+  const Vector3 way = rounded_place(*pointer.aim, place.position, decimals) - place.position;
   if (!way.is_zero()) place.direction = way;
 }
 
 void turn_to_mouse(LightPlace3& place, const Pointer3& pointer) {
   const Direction3 d = direction_on_sphere(beam_of(place, pointer), pointer);
   const auto part = [](double value) { return rounded_decimal(value, kDragDecimals); };
-  if (is_finite(d)) place.direction = {part(d.x), part(d.y), part(d.z)};
+  if (std::isfinite(d.x) && std::isfinite(d.y) && std::isfinite(d.z))
+    place.direction = {part(d.x), part(d.y), part(d.z)};
 }
 
 // The focus at which a border is seen nearest to the mouse.
@@ -188,10 +147,10 @@ Scene3 drag_light(const Scene3& scene, const LightHold& hold, const Pointer3& po
   if (!is_in_front(place, pointer)) return scene;
   const Direction3 from = place_of(place.position);
   if (hold.part == LightPart::kPlace) {
-    const Direction3 to = place_dragged(from, pointer);
-    if (!is_finite(to) || length(to - from) > kMostTimesFarther * length(from - pointer.eye)) return scene;
-    const int decimals = decimals_of(from, pointer);
-    move(place, rounded(to, place.position, decimals) - place.position);
+    const Direction3 to = pointer.along_axis ? from + way_along_seen_axis(from, pointer) : place_beside(from, pointer);
+    if (!is_within_reach_of_hands(from, to, pointer)) return scene;
+    const int decimals = decimals_at_place(from, pointer);
+    move(place, rounded_place(to, place.position, decimals) - place.position);
   } else if (hold.part == LightPart::kAxis) {
     pointer.aim ? aim(place, pointer) : turn_to_mouse(place, pointer);
   } else {

@@ -21,6 +21,8 @@ struct Pointer3 {
   double pixel = 1e-3;                                       // how long a pixel is in that picture
   double reach = 9, arm = 60;          // how near counts as touching, how far handles are from a light [pixels]
   bool along_axis = false;             // a place moves along x, y or z
+  bool alone = false;                  // what is dragged parts from what coincides with it
+  bool is_whole = false;               // a polygon stands for its group
   std::optional<Direction3> aim = {};  // what lies there, where an axis is to point at it
 
   // How far in front of the eye a place is.

@@ -1,6 +1,7 @@
 #include "viewer/edit/space/scene_editor.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "kernel/support/failure.h"
@@ -8,10 +9,18 @@
 
 namespace hottel {
 
-SceneEditor3::SceneEditor3(Scene3 scene, MayBe may_be) : history_(std::move(scene)), may_be_(std::move(may_be)) {}
+SceneEditor3::SceneEditor3(Scene3 scene, MayBe may_be, MayStand may_stand)
+    : history_(std::move(scene)), may_be_(std::move(may_be)), may_stand_(std::move(may_stand)) {}
+
+// Nothing is held any more.
+void SceneEditor3::let_go() {
+  held_.reset();
+  grip_.reset();
+  snapper_.reset();
+}
 
 void SceneEditor3::replace(std::shared_ptr<const Scene3> scene) {
-  held_.reset();
+  let_go();
   select_none();
   refusal_.clear();
   history_ = EditHistory<Scene3>(std::move(scene));
@@ -23,11 +32,18 @@ std::optional<LightHold> SceneEditor3::pick_light(const Pointer3& pointer) const
 
 void SceneEditor3::select_light(std::uint32_t light) {
   HOTTEL_REQUIRE(light < scene()->lights.size());
+  select_none();
   light_ = light;
 }
 
-// Selects the light that is called as the one of another scene.
+// Selects what is called as it was in another scene.
 void SceneEditor3::keep_selection(const Scene3& before) {
+  corner_.reset();
+  std::set<std::string> names;
+  for (const std::uint32_t s : selected_) names.insert(before.surfaces[s].name);
+  selected_.clear();
+  for (std::uint32_t s = 0; !names.empty() && s < scene()->surfaces.size(); ++s)
+    if (names.contains(scene()->surfaces[s].name)) selected_.push_back(s);
   if (!light_) return;
   const std::vector<Light>& lights = scene()->lights;
   const auto found = std::ranges::find(lights, before.lights[*light_].name, &Light::name);
@@ -40,6 +56,7 @@ bool SceneEditor3::refuses(const Scene3& next, std::uint32_t light, const Point3
 }
 
 bool SceneEditor3::press(const Pointer3& pointer) {
+  let_go();
   held_ = pick_light(pointer);
   if (!held_) return false;
   refusal_.clear();
@@ -54,12 +71,16 @@ bool SceneEditor3::press(const Pointer3& pointer) {
 }
 
 void SceneEditor3::drag(const Pointer3& pointer) {
-  if (!held_) return;
+  if (held_) drag_light(pointer);
+  if (grip_) drag_grip(pointer);
+}
+
+void SceneEditor3::drag_light(const Pointer3& pointer) {
   if (!is_dragging()) history_.begin(std::string(verb_of(held_->part)) + " " + scene()->lights[held_->light].name);
   Pointer3 held = pointer;
   held.at = {pointer.at.x + offset_.x, pointer.at.y + offset_.y};
   const Scene3& before = *history_.scene_before_drag();
-  Scene3 next = drag_light(before, *held_, held);
+  Scene3 next = hottel::drag_light(before, *held_, held);
   const Point3 from = before.light_places[held_->light].position;
   if (held_->part == LightPart::kPlace && refuses(next, held_->light, &from)) return;
   history_.preview(std::move(next));
@@ -68,17 +89,18 @@ void SceneEditor3::drag(const Pointer3& pointer) {
 void SceneEditor3::release() {
   if (is_dragging()) {
     const Scene3& before = *history_.scene_before_drag();
-    if (scene()->lights == before.lights && scene()->light_places == before.light_places)
-      history_.cancel();
-    else
-      history_.commit();
+    if (scene()->lights == before.lights && scene()->light_places == before.light_places &&
+        scene()->polygons == before.polygons)
+      return cancel();
+    history_.commit();
   }
-  held_.reset();
+  let_go();
 }
 
 void SceneEditor3::cancel() {
   if (is_dragging()) history_.cancel();
-  held_.reset();
+  if (grip_ && grip_->is_corner) corner_ = grip_->anchor;
+  let_go();
 }
 
 std::string SceneEditor3::undo() {
@@ -89,7 +111,7 @@ std::string SceneEditor3::undo() {
   const std::shared_ptr<const Scene3> before = scene();
   const std::string what = history_.what_undo();
   if (!history_.undo()) return "";
-  held_.reset();
+  let_go();
   keep_selection(*before);
   return "undone: " + what;
 }
@@ -98,14 +120,14 @@ std::string SceneEditor3::redo() {
   const std::shared_ptr<const Scene3> before = scene();
   const std::string what = history_.what_redo();
   if (!history_.redo()) return "";
-  held_.reset();
+  let_go();
   keep_selection(*before);
   return "done again: " + what;
 }
 
 // What is held is of the scene before.
 void SceneEditor3::set(Scene3 next, const std::string& what) {
-  held_.reset();
+  let_go();
   refusal_.clear();
   const std::shared_ptr<const Scene3> before = scene();
   history_.set(std::move(next), what);
@@ -125,20 +147,23 @@ std::string SceneEditor3::set_light(Scene3 next, const std::string& done, const 
 }
 
 std::string SceneEditor3::move_to(const Point3& place) {
-  if (is_dragging() || !light_) return "";
-  const Point3 from = scene()->light_places[*light_].position;
-  Scene3 next = move_light(*scene(), *light_, place - from);
-  if (refuses(next, *light_, &from)) return "";
+  const std::optional<Point3> from = place_of_selection();
+  if (is_dragging() || !from) return "";
+  if (!light_) return move_selection(place - *from);
+  Scene3 next = move_light(*scene(), *light_, place - *from);
+  if (refuses(next, *light_, &*from)) return "";
   return set_light(std::move(next), "moved", "move", *light_);
 }
 
-std::string SceneEditor3::rotate(const Rational& degrees) {
-  if (is_dragging() || !light_) return "";
-  return set_light(turn_light(*scene(), *light_, degrees), "turned", "turn", *light_);
+std::string SceneEditor3::rotate(const Rational& degrees, int axis, int decimals) {
+  if (is_dragging()) return "";
+  if (light_) return set_light(turn_light(*scene(), *light_, degrees), "turned", "turn", *light_);
+  return turn_selection(degrees, axis, decimals);
 }
 
 std::string SceneEditor3::duplicate(const Vector3& way) {
-  if (is_dragging() || !light_) return "";
+  if (is_dragging()) return "";
+  if (!light_) return copy_selection(way);
   const Point3 from = scene()->light_places[*light_].position;
   Scene3 next = copy_light(*scene(), *light_, move_light(*scene(), *light_, way).light_places[*light_]);
   const auto copy = static_cast<std::uint32_t>(scene()->lights.size());
@@ -147,7 +172,8 @@ std::string SceneEditor3::duplicate(const Vector3& way) {
 }
 
 std::string SceneEditor3::erase() {
-  if (is_dragging() || !light_) return "";
+  if (is_dragging()) return "";
+  if (!light_) return erase_selection();
   const std::string name = scene()->lights[*light_].name;
   set(erase_light(*scene(), *light_), "delete " + name);
   return "deleted " + name;

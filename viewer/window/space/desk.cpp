@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <thread>
 #include <utility>
@@ -66,8 +67,12 @@ Desk3::Desk3(DeskSource3 source, Window& window, const FactorsRequest3& factors,
       source_(std::move(source)),
       file_(source_.file),
       live_(request_of(factors), [&window] { window.wake(); }),
-      editor_({}, [this](const Scene3& edited, std::uint32_t light,
-                         const Point3* before) { return why_not(edited, light, before); }),
+      editor_(
+          {},
+          [this](const Scene3& edited, std::uint32_t light, const Point3* before) {
+            return why_not(edited, light, before);
+          },
+          [this](const Scene3& edited) { return why_not_stand(edited); }),
       size_(window.size()),
       looking_([&window] { window.wake(); }),
       gathered_([&window] { window.wake(); }) {
@@ -78,6 +83,7 @@ Desk3::Desk3(DeskSource3 source, Window& window, const FactorsRequest3& factors,
 void Desk3::set_scene(Scene3 scene_read) {
   const auto read = std::make_shared<const Scene3>(std::move(scene_read));
   live_.set(read);  // throws before anything has changed
+  live_.forget();
   editor_.replace(read);
   told_ = shown_ = read;
   time_.reset();
@@ -103,11 +109,16 @@ void Desk3::set_scene(Scene3 scene_read) {
 void Desk3::scene_changed() {
   needs_frame_ = true;
   if (told_ == scene()) return;
-  told_ = scene();
+  keep_picked(*std::exchange(told_, scene()));
+  tell();
+}
+
+// While polygons are dragged the light is coarse.
+void Desk3::tell() {
   if (time_) return move_lights();
   shown_ = told_;
-  live_.set(shown_);
-  if (drag_ != Drag::kLight) touch();
+  live_.set(shown_, drag_ == Drag::kEdit && editor_.is_dragging() ? LiveDepth3::kCoarse : LiveDepth3::kFull);
+  if (drag_ != Drag::kLight && drag_ != Drag::kEdit) touch();
 }
 
 void Desk3::fit() { camera_ = EyeCamera3(home_, size_of(*scene())); }
@@ -188,7 +199,11 @@ void Desk3::set_request(LookRequest3 request) {
 // version before is shown until there is another, so that something new comes however fast versions follow.
 void Desk3::ask(bool stops) {
   asked_of_ = state().version;
-  if (!needs_work(request_) || !state().is_lit()) {
+  if (result_ && state().version && result_->version->scene().polygons != state().version->scene().polygons)
+    result_.reset();
+  const bool is_of_face = request_.look == LookKind3::kFactors && request_.face;
+  const bool has_face = !is_of_face || (state().version && knows(state().version->scene(), *request_.face));
+  if (!needs_work(request_) || !state().is_lit() || !has_face) {
     looking_.cancel();
     result_.reset();
     return;
@@ -308,6 +323,8 @@ Pixel Desk3::pixel_of_place(std::span<const double> place) const {
 }
 
 bool Desk3::do_own_step(const ScriptStep& step) {
+  constexpr std::array kOwn{"orbit", "turn", "pan", "zoom", "walk", "pick", "material", "eye"};
+  if (std::ranges::find(kOwn, step.word) == kOwn.end()) return false;
   const auto numbers = [&](std::size_t most) {
     std::vector<double> result;
     for (const std::string& argument : step.arguments)
@@ -332,11 +349,7 @@ bool Desk3::do_own_step(const ScriptStep& step) {
     camera.walk(numbers(3)[0], numbers(3)[1], numbers(3)[2]);
   } else if (step.word == "pick") {
     const std::string name = step.rest.substr(0, step.rest.find_last_not_of(" \t") + 1);
-    const auto light = std::ranges::find(scene()->lights, name, &Light::name);
-    if (light == scene()->lights.end())
-      pick(face_of(*scene(), name));
-    else
-      editor_.select_light(static_cast<std::uint32_t>(light - scene()->lights.begin()));
+    pick(name);
     return true;
   } else if (step.word == "material") {
     const auto& materials = scene()->materials;
@@ -347,14 +360,12 @@ bool Desk3::do_own_step(const ScriptStep& step) {
     if (!problem.empty()) throw UsageError(problem);
     change_material(static_cast<std::uint32_t>(found - materials.begin()), values);
     return true;
-  } else if (step.word == "eye") {
+  } else {
     Camera3 moved = camera_.camera(size_);
     moved.eye = exact_place(step.arguments[0]);
     moved.target = exact_place(step.arguments[1]);
     if (const std::string problem = camera_problem(moved); !problem.empty()) throw UsageError(problem);
     camera = EyeCamera3(moved, camera_.size());
-  } else {
-    return false;
   }
   see(camera);
   return true;

@@ -1,4 +1,4 @@
-// The window in which one walks through a scene in space: events in, frames out.
+// The window in which one walks through a scene in space and edits it: events in, frames out.
 #pragma once
 
 #include <cstdint>
@@ -37,16 +37,17 @@ namespace hottel {
 //   (1) the picture is the exact map of the eye (SeenPicture3) at the size of the window: of the light as it is known,
 //       light_before_factors_3 first
 //   (2) at rest, the light is that of LiveScene3 (1)
-//   (3) the eye never gets into a solid: what would bring it there does nothing, and says so. Neither does a light, nor
-//       onto a surface, nor out of all rooms
+//   (3) the eye never gets into a solid, nor a solid around the eye: what would bring it there does nothing, and says
+//       so. Neither does a light, nor onto a surface, nor out of all rooms
 //   (4) nothing is lost: quitting and reading the file again ask where there are unsaved changes; that the file is gone
 //       is told, and when it is back it is read, or asked about
 //   (5) a command that can do nothing says why in message(): what a key does is seen
 //   (6) while lights move, what is shown is the light of scene_after(scene(), time()): a function of scene and time
 //   (7) the wheel and what moves across keep the place that is pointed at under the mouse
-//   (8) where light is gathered, at rest, squares of what the eye sees have the light of each point (GatheredFrame3) as
+//   (8) while polygons are dragged the light is coarse (LiveDepth3), and says so
+//   (9) where light is gathered, at rest, squares of what the eye sees have the light of each point (GatheredFrame3) as
 //       soon as it is there; until then, and while anything moves, they have that of elements
-//   (9) where nothing shines the form of the scene is shown, and where light is nearly even, outlines beside it
+//   (10) where nothing shines the form of the scene is shown, and where light is nearly even, outlines beside it
 // Its functions are for the thread of the window.
 class Desk3 : public Desk {
  public:
@@ -95,7 +96,7 @@ class Desk3 : public Desk {
   void save_as(const std::filesystem::path& file) override;
 
  private:
-  enum class Drag : unsigned char { kNone, kOrbit, kPan, kTurn, kBar, kLight };
+  enum class Drag : unsigned char { kNone, kOrbit, kPan, kTurn, kBar, kLight, kEdit };
   // What the camera sees, to be shown anew where nothing but values has changed.
   struct Seen {
     std::shared_ptr<const LiveModel3> model;
@@ -113,15 +114,24 @@ class Desk3 : public Desk {
   void move_eye(double right, double down);
   void release(const WindowEvent& event);
   void touch();
+  void click();
+  void drag_edit();
+  bool hold_axis(const WindowEvent& event);
+  std::optional<Face> face_at_mouse() const;
+  bool knows(const Scene3& other, const Face& face) const;
   Pointer3 pointer(const HeldKeys& held = {}) const;
   std::optional<Direction3> surface_at(const Pixel& place) const;
   bool is_on_bar() const;
+  void pick(const std::string& name);
+  void unpick();
   void pick(const Face& face);
 
   // Commands.
   bool look_command(std::string_view name);
   bool walk_command(std::string_view name);
   bool edit_command(std::string_view name);
+  bool selection_command(std::string_view name);
+  bool add_command(std::string_view name);
   bool light_command(std::string_view name);
   bool material_command(std::string_view name);
   bool file_command(std::string_view name);
@@ -129,12 +139,20 @@ class Desk3 : public Desk {
   void ask_for_material(std::uint32_t material);
   void change_material(std::uint32_t material, const Material& values);
   std::optional<std::uint32_t> light_meant() const;
-  void selected_light_command(std::string_view name);
+  void copy_selection();
+  void turn_selection(std::string_view name);
+  void ask_for_turn();
+  void ask_for_corners(bool is_box);
+  std::string add_between(bool is_box, bool looks_back, std::uint32_t material, const std::string& text);
+  std::uint32_t material_of_new() const;
+  void keep_picked(const Scene3& before);
+  void tell();
   void change_light(std::uint32_t light, std::string_view name);
   void ask_for_light(std::uint32_t light);
   void ask_for_place();
   void add_light();
   std::string why_not(const Scene3& edited, std::uint32_t light, const Point3* before) const;
+  std::string why_not_stand(const Scene3& edited) const;
   void play();
   void move_lights();
   void stop();
@@ -165,6 +183,7 @@ class Desk3 : public Desk {
   bool is_hidden(const Direction3& place) const;
   void draw_problem(PictureCanvas& canvas);
   void draw_touched(PictureCanvas& canvas) const;
+  void draw_selection(PictureCanvas& canvas) const;
   void draw_texts(PictureCanvas& canvas);
   std::vector<SideText> side_texts() const;
   void draw_legends(PictureCanvas& canvas, double bottom) const;

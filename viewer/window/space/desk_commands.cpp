@@ -21,8 +21,8 @@ constexpr double kLookStep = 3, kOrbitStep = 5, kZoomStep = 1.1;
 void Desk3::command(std::string_view name) {
   needs_frame_ = true;
   message_.clear();
-  if (!walk_command(name) && !look_command(name) && !edit_command(name) && !light_command(name) &&
-      !material_command(name) && !file_command(name))
+  if (!walk_command(name) && !look_command(name) && !edit_command(name) && !selection_command(name) &&
+      !add_command(name) && !light_command(name) && !material_command(name) && !file_command(name))
     throw UsageError("there is no command called '" + std::string(name) + "'");
   scene_changed();
   touch();
@@ -138,10 +138,7 @@ void Desk3::drop() {
     return;
   }
   editor_.select_none();
-  picked_.reset();
-  LookRequest3 request = request_;
-  request.face.reset();
-  set_request(std::move(request));
+  unpick();
 }
 
 bool Desk3::material_command(std::string_view name) {

@@ -27,12 +27,14 @@ void Desk3::touch() {
   if (part != nullptr && part->element) hover_ = LiveElement3{seen()->model, *part->element};
 }
 
-// Held: shift keeps a light on an axis, ctrl aims it at what lies under the mouse.
+// Held: shift keeps what is dragged on an axis, ctrl aims a light at what lies under the mouse.
 Pointer3 Desk3::pointer(const HeldKeys& held) const {
   Pointer3 result = camera_.pointer(mouse_, size_);
   result.reach = kReach * unit_;
   result.arm = kLightArm * unit_;
   result.along_axis = held.shift;
+  result.alone = held.alt;
+  result.is_whole = held.ctrl;
   if (held.ctrl) result.aim = surface_at(mouse_);
   return result;
 }
@@ -117,6 +119,7 @@ void Desk3::wheel(const WindowEvent& event) {
 }
 
 void Desk3::key(const WindowEvent& event) {
+  if (hold_axis(event)) return;
   if (event.held == HeldKeys() && scrolls_.key(event.key, mouse_, shows_help_ ? "help" : "")) return;
   if (const auto name = command_of_key(key_text(event), commands_3()); !name.empty()) command(name);
 }
@@ -138,6 +141,7 @@ Desk3::Drag Desk3::drag_of(const WindowEvent& press) {
   if (!press.held.shift && is_on_bar()) return Drag::kBar;
   if (time_ && pick_light(*shown_, pointer())) stop();
   if (editor_.press(pointer(press.held))) return Drag::kLight;
+  if (!time_ && editor_.grab(pointer(press.held), face_at_mouse())) return Drag::kEdit;
   if (press.held.shift) return Drag::kPan;
   return press.held.ctrl ? Drag::kTurn : Drag::kOrbit;
 }
@@ -155,6 +159,8 @@ void Desk3::move(const Pixel& before) {
     editor_.drag(pointer(held_));
     message_ = editor_.refusal();
     scene_changed();
+  } else if (drag_ == Drag::kEdit) {
+    drag_edit();
   } else {
     move_eye(right, down);
   }
@@ -177,21 +183,19 @@ void Desk3::move_eye(double right, double down) {
   see(camera);
 }
 
-// A click picks what lies under the mouse: a light, or a polygon.
 void Desk3::release(const WindowEvent& event) {
   if (drag_ == Drag::kNone || event.button != button_) return;
+  const bool was_edited = editor_.is_dragging();
   const Drag ended = std::exchange(drag_, Drag::kNone);
-  if (ended == Drag::kLight) {
+  if (ended == Drag::kLight || ended == Drag::kEdit) {
     editor_.release();
     scene_changed();
+    if (ended == Drag::kEdit && was_edited) tell();  // the same scene, at rest now
   }
   touch();
-  if (has_moved_ || ended == Drag::kBar || ended == Drag::kLight || event.button != MouseButton::kLeft) return;
-  editor_.select_none();
-  picked_ = hover_;
-  LookRequest3 request = request_;
-  request.face = picked_ ? std::optional(picked_->face()) : std::nullopt;
-  set_request(std::move(request));
+  const bool holds_corner = ended == Drag::kEdit && editor_.selected_corner();
+  if (has_moved_ || ended == Drag::kBar || ended == Drag::kLight || holds_corner) return;
+  if (event.button == MouseButton::kLeft) click();
 }
 
 // Picks a polygon by its first element, as it is numbered, that there is something of.

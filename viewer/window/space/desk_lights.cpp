@@ -7,7 +7,6 @@
 #include "viewer/edit/decimals.h"
 #include "viewer/edit/light_edits.h"
 #include "viewer/edit/space/light_region.h"
-#include "viewer/edit/space/typed_point.h"
 #include "viewer/window/lights.h"
 #include "viewer/window/space/desk.h"
 #include "viewer/window/space/light_lines.h"
@@ -16,7 +15,6 @@ namespace hottel {
 namespace {
 
 constexpr double kBesideSurface = 0.1;  // sizes of the scene from what is seen to a light that is put there
-constexpr double kAside = 24;           // units from a light to its copy
 constexpr double kHidden = 1e-6;        // of the way to a light, that what hides it is nearer
 
 // What is wrong with where a light is, as a sentence; empty when nothing is.
@@ -44,46 +42,12 @@ bool Desk3::light_command(std::string_view name) {
     name == "light" ? add_light() : play();
     return true;
   }
-  const bool is_of_selected = name == "turn" || name == "turn back" || name == "turn square" || name == "copy" ||
-                              name == "delete" || name == "coordinates";
-  if (is_of_selected) {
-    if (editor_.is_dragging())
-      message_ = "not while something is dragged";
-    else if (!editor_.selected_light())
-      message_ = "no light is selected";
-    else
-      selected_light_command(name);
-    return true;
-  }
   if (name != "material" && !is_light_edit(name)) return false;
   const std::optional<std::uint32_t> light = light_meant();
   if (!light && name == "spin") message_ = "no light lies under the mouse, and none is selected";
   if (!light) return name == "spin";
   name == "material" ? ask_for_light(*light) : change_light(*light, name);
   return true;
-}
-
-void Desk3::selected_light_command(std::string_view name) {
-  if (name == "coordinates") {
-    ask_for_place();
-  } else if (name == "copy") {
-    const Direction3 from = place_of(scene()->light_places[*editor_.selected_light()].position);
-    const Pointer3 hand = pointer();
-    const double pixel = camera_.length_of_pixel(size_) / camera_.distance() * std::max(hand.depth(from), 0.0);
-    const int decimals = decimals_at(1 / (pixel > 0 ? pixel : camera_.length_of_pixel(size_)));
-    const Direction3 aside = kAside * unit_ * pixel * hand.right;
-    say(editor_.duplicate({rounded_decimal(aside.x, decimals), rounded_decimal(aside.y, decimals),
-                           rounded_decimal(aside.z, decimals)}),
-        "it goes no further");
-  } else if (name == "delete") {
-    say(editor_.erase(), "");
-  } else {
-    const bool has_axis = scene()->lights[*editor_.selected_light()].type != LightType::kPoint;
-    say(editor_.rotate(name == "turn"        ? 15
-                       : name == "turn back" ? -15
-                                             : 90),
-        has_axis ? "it turns about the vertical, and that is its axis" : "a point light has no axis to turn");
-  }
 }
 
 void Desk3::change_light(std::uint32_t light, std::string_view name) {
@@ -148,22 +112,6 @@ void Desk3::ask_for_light(std::uint32_t light) {
                          });
 }
 
-// A coordinate that is typed as it was shown stays, with all the digits that it has.
-void Desk3::ask_for_place() {
-  const Point3 from = scene()->light_places[*editor_.selected_light()].position;
-  const std::string shown = coordinates_text_3(from);
-  prompt_ = Prompt{.question = "goes to", .text = shown, .answer = [this, from, shown](const std::string& text) {
-                     Typed<Point3> typed = typed_point_3(text);
-                     if (!typed.value) return typed.problem;
-                     const Point3 rounded = *typed_point_3(shown).value;
-                     for (Rational Point3::*axis : {&Point3::x, &Point3::y, &Point3::z})
-                       if ((*typed.value).*axis == rounded.*axis) (*typed.value).*axis = from.*axis;
-                     message_ = editor_.move_to(*typed.value);
-                     scene_changed();
-                     return editor_.refusal();
-                   }};
-}
-
 // A point light before the surface under the mouse; where none is, as far away as what is looked at.
 void Desk3::add_light() {
   if (!has_mouse_) {
@@ -183,9 +131,9 @@ void Desk3::add_light() {
 
 // Why a light may not be where it is; before there is a model, as far as the scene tells.
 std::string Desk3::why_not(const Scene3& edited, std::uint32_t light, const Point3* before) const {
-  if (state().version)
-    return light_refusal(edited, light, state().version->model().prepared.arrangement().solids(), before);
-  return place_problem(edited, light);
+  const LiveVersion3* version = state().version.get();
+  if (version == nullptr || version->scene().polygons != edited.polygons) return place_problem(edited, light);
+  return light_refusal(edited, light, version->model().prepared.arrangement().solids(), before);
 }
 
 // Whether something that is seen hides a place.

@@ -101,7 +101,7 @@ void Desk3::draw_base() {
   touch();
 }
 
-// The polygon under the mouse where light is seen, and the border of the one that is picked, whatever hides it.
+// The polygon under the mouse where light is seen.
 void Desk3::draw_touched(PictureCanvas& canvas) const {
   if (hover_ && seen() != nullptr && look().values() == nullptr && drag_ == Drag::kNone) {
     std::vector<std::vector<Pixel>> outlines;
@@ -115,16 +115,6 @@ void Desk3::draw_touched(PictureCanvas& canvas) const {
     }
     if (!outlines.empty()) canvas.fill_all(Mark::kTarget, outlines, kTouched);
   }
-  if (!request_.face) return;
-  const Polygon3& polygon = scene()->polygons[request_.face->surface];
-  const auto draw_loop = [&](const std::vector<Point3>& points) {
-    for (std::size_t k = 0; k < points.size(); ++k)
-      if (const auto line = camera_.line(place_of(points[k]), place_of(points[(k + 1) % points.size()]), size_))
-        canvas.stroke(Mark::kTarget, within_canvas(line->first), within_canvas(line->second), palette::kTarget,
-                      2.5 * unit_);
-  };
-  draw_loop(polygon.points);
-  for (const auto& hole : polygon.holes) draw_loop(hole);
 }
 
 void Desk3::draw_problem(PictureCanvas& canvas) {
@@ -151,6 +141,7 @@ std::string Desk3::head() const {
   if (!now.stage.empty() && now.all_rows > 0)
     return text + fmt::format("   {} of {} rows, nearest first", now.rows, now.all_rows);
   if (!now.stage.empty()) return text + "   " + now.stage;
+  if (now.is_coarse) return text + "   coarse: whole polygons, estimated";
   if (!now.is_lit() || !now.problem.empty()) return text;
   if (look.version() != now.version.get()) text += "   before the last edit";
   return text +
@@ -168,7 +159,7 @@ std::string Desk3::status() const {
   if (const auto material = hover_->element().material) text += " of " + found_in.materials[*material].name;
   const ShownLook3 look = this->look();
   const std::string value = look.number(hover_);
-  if (value.empty()) return text;
+  if (value.empty() || state().is_coarse) return text;
   const bool is_light = look.values() == nullptr && look.name_of_number() == std::string_view("radiosity");
   return text + "   " + look.name_of_number() + " " + value + (is_light ? " W/m²" : "");
 }
@@ -178,8 +169,9 @@ std::vector<SideText> Desk3::side_texts() const {
   std::vector<SideText> texts;
   const ShownLook3 look = this->look();
   if (const auto light = editor_.selected_light()) texts.push_back({"light", light_lines_3(*scene(), *light)});
-  if (request_.face && look.version())
-    texts.push_back({"face", face_lines_3(*look.version(), *request_.face, picked_)});
+  if (request_.face && look.version() && knows(look.version()->scene(), *request_.face))
+    texts.push_back(
+        {"face", face_lines_3(*look.version(), *request_.face, state().is_coarse ? std::nullopt : picked_)});
   if (look.result()) texts.push_back({std::string("look ") + to_string(request_.look), look.result()->lines});
   return texts;
 }
@@ -215,6 +207,7 @@ void Desk3::draw() {
   CairoCanvas canvas(frame_);
   scrolls_.begin_frame();
   draw_touched(canvas);
+  draw_selection(canvas);
   draw_lights(canvas);
   draw_problem(canvas);
   if (shows_help_)

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -25,7 +28,59 @@ double slope_light(const Scene3& scene, const Element& element) {
   return kAmbient + kAbove * (element.is_back ? -1 : 1) * dot(front, kFrom);
 }
 
+// Light of the elements of a face, and their areas.
+struct FaceLight {
+  std::vector<double> area, values;  // values: channel by channel of each
+
+  double mean(std::size_t channel, std::size_t channels) const {
+    double sum = 0, whole = 0;
+    for (std::size_t k = 0; k < area.size(); ++k) {
+      sum += area[k] * values[k * channels + channel];
+      whole += area[k];
+    }
+    return whole > 0 ? sum / whole : 0;
+  }
+};
+
+using FaceName = std::pair<std::string, bool>;
+FaceName face_of_element(const ElementLight3& of, std::uint32_t i) {
+  const Element& element = of.table.elements()[i];
+  return {of.scene.surfaces[element.surface].name, element.is_back};
+}
+
+std::map<FaceName, FaceLight> light_by_face(const ElementLight3& of) {
+  std::map<FaceName, FaceLight> faces;
+  const std::size_t channels = of.paint.channels;
+  for (std::uint32_t i = 0; i < of.table.count(); ++i) {
+    if (!of.table.has_row(i)) continue;
+    FaceLight& face = faces[face_of_element(of, i)];
+    face.area.push_back(of.table.elements()[i].area.value);
+    const auto its = of.paint.values.begin() + static_cast<std::ptrdiff_t>(i * channels);
+    face.values.insert(face.values.end(), its, its + static_cast<std::ptrdiff_t>(channels));
+  }
+  return faces;
+}
+
 }  // namespace
+
+void carry_light_3(const ElementLight3& before, const Scene3& scene, const ElementTable3& table, ElementPaint3& light) {
+  const std::size_t channels = light.channels;
+  if (before.paint.channels != channels) return;
+  const ElementLight3 now{scene, table, light};
+  const std::map<FaceName, FaceLight> then = light_by_face(before), here = light_by_face(now);
+  std::map<FaceName, std::size_t> next;  // how many elements of a face have been given light
+  for (std::uint32_t i = 0; i < now.table.count(); ++i) {
+    if (!now.table.has_row(i)) continue;
+    const FaceName name = face_of_element(now, i);
+    const auto found = then.find(name);
+    const std::size_t part = next[name]++;
+    if (found == then.end()) continue;
+    const bool is_alike = found->second.area.size() == here.at(name).area.size();
+    for (std::size_t c = 0; c < channels; ++c)
+      light.values[i * channels + c] =
+          is_alike ? found->second.values[part * channels + c] : found->second.mean(c, channels);
+  }
+}
 
 ElementPaint3 light_before_factors_3(const Scene3& scene, const ElementTable3& table) {
   ElementPaint3 paint;

@@ -76,9 +76,13 @@ SceneVersion3 SceneVersion3::with_scene(std::shared_ptr<const Scene3> scene) con
   return SceneVersion3(std::move(scene), rows_, std::move(simulation), std::move(whole), std::move(model));
 }
 
-LiveVersion3::Ptr LiveVersion3::first(const SceneVersion3& of, const StageProgress& progress) {
+LiveVersion3::Ptr LiveVersion3::first(const SceneVersion3& of, const StageProgress& progress,
+                                      const LiveVersion3* before) {
   LiveVersion3 result(of, progress);
   result.light_ = light_before_factors_3(result.scene(), result.model().table());
+  if (before != nullptr)
+    carry_light_3({before->scene(), before->model().table(), before->light()}, result.scene(), result.model().table(),
+                  result.light_);
   return std::make_shared<const LiveVersion3>(std::move(result));
 }
 

@@ -83,8 +83,9 @@ class LiveVersion3 {
  public:
   using Ptr = std::shared_ptr<const LiveVersion3>;
 
-  // Before there are factors: light_before_factors_3. These throw what the stages throw.
-  static Ptr first(const SceneVersion3& of, const StageProgress& progress);
+  // Before there are factors: light_before_factors_3, and on faces that another version has too the light that they had
+  // there (carry_light_3). before: that version; null: none. These throw what the stages throw.
+  static Ptr first(const SceneVersion3& of, const StageProgress& progress, const LiveVersion3* before = nullptr);
   // With its light. since: from then on its seconds are counted.
   static Ptr lit(const SceneVersion3& of, const Stopwatch& since, const StageProgress& progress);
   // Calls tell with light that goes around among the rows that have come, after each sweep, until next to nothing

@@ -75,6 +75,37 @@ TEST(Repair3, CornersGoOntoEdgesAndFacesExactly) {
   }
 }
 
+// The length of the longest coordinate of the scene, once decimals are checked to be decimals.
+std::size_t longest_decimal(const Scene3& scene) {
+  std::size_t longest = 0;
+  for (const Polygon3& polygon : scene.polygons)
+    for (const Point3& p : polygon.points)
+      for (const Rational* c : {&p.x, &p.y, &p.z}) {
+        Integer power;
+        mpz_ui_pow_ui(power.get_mpz_t(), 10, 200);
+        EXPECT_EQ(power % c->get_den(), 0) << to_string(*c);
+        longest = std::max(longest, to_string(*c).size());
+      }
+  return longest;
+}
+
+// A chain of triangles typed to six digits: each has a corner near the face of the one before, which moves.
+TEST(Repair3, CornersThatGoOntoWhatMovedHaveDecimalsThatDoNotMultiply) {
+  Scene3 scene = empty_scene();
+  const Vector3 to_face{q("0.271828"), q("0.314159"), q("0.161803")};
+  Point3 corner{0, 0, 0};
+  for (int k = 0; k < 6; ++k) {
+    const Vector3 u{q("1.234567"), q("0.345678") + k, q("-0.765432")},
+        v{q("0.192837") - k, q("1.564738"), q("0.987654")};
+    add(scene, "t" + std::to_string(k), {corner, moved(corner, 1, u), moved(corner, 1, v)});
+    corner = moved(moved(moved(corner, q("0.37"), u), q("0.29"), v), kGap, to_face);
+  }
+  const Repair3 repair = close_gaps(scene, 4 * kGap);
+  EXPECT_THAT(repair.steps, SizeIs(5));
+  EXPECT_THAT(find_contacts(repair.scene).near, IsEmpty());
+  EXPECT_LE(longest_decimal(repair.scene), 120);
+}
+
 TEST(Repair3, WhatLiesOnSomethingStaysOnIt) {
   Scene3 scene = unit_room();
   const Rational x = 1 - kGap;

@@ -153,7 +153,7 @@ TEST(Desk3Lights, SayWhyACommandDoesNothing) {
   LitHand hand;
   for (const char* command : {"turn", "copy", "delete", "coordinates"}) {
     hand.play("do " + std::string(command));
-    EXPECT_EQ(hand.desk->message(), "no light is selected") << command;
+    EXPECT_EQ(hand.desk->message(), "nothing is selected") << command;
   }
   hand.play("do spin");
   EXPECT_EQ(hand.desk->message(), "no light lies under the mouse, and none is selected");
