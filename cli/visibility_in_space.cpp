@@ -121,9 +121,22 @@ void refuse_lost_place(const Scene3& scene, const Arrangement3& arrangement, con
   throw RequestError("'" + on + "' at " + at + " is the place of another surface");
 }
 
-PointBounds3 proven(const Look3& look, const Blockers3& blockers, const Arrangement3& arrangement) {
-  const ExactMap3 map(blockers, look.eye);
-  return look.normal ? point_bounds(map, arrangement, *look.normal - Point3{}) : point_bounds(map, arrangement);
+// What is seen, by faces, and where that is asked for its proven bounds.
+struct SeenFrom3 {
+  PointMap3 map;
+  std::optional<PointBounds3> bounds;
+};
+
+SeenFrom3 seen_from(const Look3& look, const Arrangement3& arrangement, bool proves) {
+  const Blockers3 blockers(arrangement.polygons());
+  if (look.normal) {
+    SeenFrom3 seen{with_owners(map_from(blockers, look), arrangement), {}};
+    if (proves) seen.bounds = point_bounds(ExactMap3(blockers, look.eye), arrangement, *look.normal - Point3{});
+    return seen;
+  }
+  if (!proves) return {faces_seen_from(look.eye, blockers, arrangement), {}};
+  const ExactMap3 exact(blockers, look.eye);
+  return {faces_seen_from(look.eye, exact.map(), arrangement), point_bounds(exact, arrangement)};
 }
 
 }  // namespace
@@ -135,17 +148,12 @@ ShownAnswer visibility_in_space(const Scene3& scene, const std::string& at, cons
   const std::string what = on.empty() ? "(" + at + ")" : "'" + on + "' at (" + at + ")";
   const Solids3& solids = arrangement.solids();
   const std::optional<std::uint32_t> solid = on.empty() ? solids.around(look.eye) : std::nullopt;
-  PointMap3 map;
-  std::optional<PointBounds3> bounds;
-  if (!solid) {
-    const Blockers3 blockers(arrangement.polygons());
-    map = on.empty() ? faces_seen_from(look.eye, blockers, arrangement)
-                     : with_owners(map_from(blockers, look), arrangement);
-    if (proves) bounds = proven(look, blockers, arrangement);
-  }
-  VisibilityAnswer answer = solid ? answer_in_solid_3(look, solids.meshes()[*solid].name, what)
-                                  : map_answer(scene, solids, look, map, what, bounds ? &*bounds : nullptr);
-  return {std::move(answer), [&scene, look, what, map = std::move(map)](PictureFormat format) {
+  SeenFrom3 seen;
+  if (!solid) seen = seen_from(look, arrangement, proves);
+  VisibilityAnswer answer =
+      solid ? answer_in_solid_3(look, solids.meshes()[*solid].name, what)
+            : map_answer(scene, solids, look, seen.map, what, seen.bounds ? &*seen.bounds : nullptr);
+  return {std::move(answer), [&scene, look, what, map = std::move(seen.map)](PictureFormat format) {
             MapDrawing3 drawing = drawing_of(scene, look, map);
             drawing.title = "What is seen from " + what;
             return map_picture_3(drawing, format);

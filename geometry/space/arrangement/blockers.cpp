@@ -136,4 +136,10 @@ int Blockers3::side_of(VertexId3 v, std::size_t s, SignTier& tier) const {
   return sgn(dot(exact_normal(s), difference(vertices_.exact(v), vertices_.exact(anchor))));
 }
 
+Vector3 normal_of_side_3(const Blockers3& blockers, const Face& side) {
+  const IntegerVector& n = blockers.exact_normal(side.surface);
+  const int sign = side.is_back ? -1 : 1;
+  return {Rational(sign * n.x), Rational(sign * n.y), Rational(sign * n.z)};
+}
+
 }  // namespace hottel

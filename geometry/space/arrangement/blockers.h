@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/face.h"
 #include "geometry/space/predicates/vertices.h"
 #include "geometry/space/scene/polygon.h"
 
@@ -86,5 +87,8 @@ class Blockers3 {
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> order_;
 };
+
+// Returns the normal of a side of one of the polygons, of any length.
+Vector3 normal_of_side_3(const Blockers3& blockers, const Face& side);
 
 }  // namespace hottel

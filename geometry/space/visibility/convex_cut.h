@@ -1,6 +1,7 @@
 // Convex polygons and cones of directions, cut by lines and planes.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -22,6 +23,20 @@ std::vector<Corner> cut_convex(const std::vector<Corner>& corners, const Height&
     if ((at_a < 0) != (at_b < 0)) kept.push_back(between(a, b, at_a / (at_a - at_b)));
   }
   return kept;
+}
+
+// Returns what a convex polygon has in common with another one; fewer than three corners where that is nothing.
+// beside(a, b, p): above 0 where p lies on the side of the other polygon of its side from a to b.
+template <class Corner, class Beside, class Between>
+std::vector<Corner> common_convex(std::vector<Corner> polygon, const std::vector<Corner>& other, const Beside& beside,
+                                  const Between& between) {
+  for (std::size_t k = 0; k < other.size() && polygon.size() > 2; ++k) {
+    const Corner &a = other[k], &b = other[k + 1 == other.size() ? 0 : k + 1];
+    const auto height = [&](const Corner& p) { return beside(a, b, p); };
+    if (!std::ranges::all_of(polygon, [&](const Corner& p) { return height(p) >= 0; }))
+      polygon = cut_convex(polygon, height, between);
+  }
+  return polygon;
 }
 
 // Returns what a convex cone has in common with that of a polygon; fewer than three corners where that is nothing.

@@ -4,7 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/space/point.h"
+
 namespace hottel {
+
+Direction3 unit_of_3(const Vector3& v) {
+  const Rational largest = std::max({Rational(abs(v.x)), Rational(abs(v.y)), Rational(abs(v.z))});
+  return unit({to_double(v.x / largest), to_double(v.y / largest), to_double(v.z / largest)});
+}
 
 bool has_opposite_corners_3(std::span<const Direction3> corners) {
   constexpr double kNarrow = 0.7072, kOpposite = -0.99;

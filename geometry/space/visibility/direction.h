@@ -6,6 +6,8 @@
 
 namespace hottel {
 
+struct Vector3;
+
 // A direction: a unit vector, up to rounding.
 struct Direction3 {
   double x = 0, y = 0, z = 0;
@@ -23,6 +25,9 @@ inline Direction3 cross(const Direction3& a, const Direction3& b) {
 }
 inline double length(const Direction3& a) { return std::sqrt(dot(a, a)); }
 inline Direction3 unit(const Direction3& a) { return (1 / length(a)) * a; }
+
+// Returns the unit vector along an exact one, whatever its length. REQUIRES that it is not zero.
+Direction3 unit_of_3(const Vector3& v);
 
 // Whether two corners of a cone are nearly opposite: then they alone do not tell it.
 bool has_opposite_corners_3(std::span<const Direction3> corners);

@@ -174,8 +174,11 @@ PointMap3 outside_solids(PointMap3 map, const Arrangement3& arrangement, const P
 }
 
 PointMap3 faces_seen_from(const Point3& eye, const Blockers3& blockers, const Arrangement3& arrangement) {
+  return faces_seen_from(eye, map_from(blockers, {.eye = eye, .normal = {}}), arrangement);
+}
+
+PointMap3 faces_seen_from(const Point3& eye, PointMap3 map, const Arrangement3& arrangement) {
   const std::vector<std::uint32_t> on_border = solids_at(arrangement.solids(), eye);
-  PointMap3 map = map_from(blockers, {.eye = eye, .normal = {}});
   return on_border.empty() ? with_owners(std::move(map), arrangement)
                            : outside_solids(std::move(map), arrangement, eye, on_border);
 }

@@ -27,5 +27,7 @@ PointMap3 outside_solids(PointMap3 map, const Arrangement3& arrangement, const P
 // Returns what is seen of the scene from a point, in all directions: with_owners, or outside_solids where the point is
 // on the border of solids. blockers: the pieces of the arrangement. REQUIRES a point that no solid is around.
 PointMap3 faces_seen_from(const Point3& eye, const Blockers3& blockers, const Arrangement3& arrangement);
+// The same of a map of the point in all directions, as map_from() has it.
+PointMap3 faces_seen_from(const Point3& eye, PointMap3 map, const Arrangement3& arrangement);
 
 }  // namespace hottel

@@ -17,17 +17,6 @@ double coordinate(const Direction3& p, std::size_t axis) { return axis == 0 ? p.
 
 Direction3 rounded_point(const Point3& p) { return {to_double(p.x), to_double(p.y), to_double(p.z)}; }
 
-Vector3 normal_toward(const Blockers3& blockers, const Face& side) {
-  const IntegerVector& n = blockers.exact_normal(side.surface);
-  const int sign = side.is_back ? -1 : 1;
-  return {Rational(sign * n.x), Rational(sign * n.y), Rational(sign * n.z)};
-}
-
-Direction3 unit_of(const Vector3& normal) {
-  const Rational largest = std::max({Rational(abs(normal.x)), Rational(abs(normal.y)), Rational(abs(normal.z))});
-  return unit({to_double(normal.x / largest), to_double(normal.y / largest), to_double(normal.z / largest)});
-}
-
 }  // namespace
 
 bool GatheredLight3::Box::meets(const Box& other) const {
@@ -50,16 +39,12 @@ GatheredLight3::Box GatheredLight3::box_of(const Outline& outline) {
 
 // The part of a convex polygon within another one that goes around counter-clockwise.
 GatheredLight3::Outline GatheredLight3::common(const Outline& polygon, const Outline& convex) {
-  Outline rest = polygon;
-  for (std::size_t k = 0; k < convex.size() && rest.size() > 2; ++k) {
-    const Flat &a = convex[k], &b = convex[k + 1 == convex.size() ? 0 : k + 1];
-    const auto height = [&](const Flat& p) { return (b.u - a.u) * (p.v - a.v) - (b.v - a.v) * (p.u - a.u); };
-    if (std::ranges::all_of(rest, [&](const Flat& p) { return height(p) >= 0; })) continue;
-    rest = cut_convex(rest, height, [](const Flat& p, const Flat& q, double t) {
-      return Flat{p.u + t * (q.u - p.u), p.v + t * (q.v - p.v)};
-    });
-  }
-  return rest;
+  return common_convex(
+      polygon, convex,
+      [](const Flat& a, const Flat& b, const Flat& p) { return (b.u - a.u) * (p.v - a.v) - (b.v - a.v) * (p.u - a.u); },
+      [](const Flat& p, const Flat& q, double t) {
+        return Flat{p.u + t * (q.u - p.u), p.v + t * (q.v - p.v)};
+      });
 }
 
 GatheredLight3::Outline GatheredLight3::flat(const Side& side, std::span<const Direction3> corners) {
@@ -112,7 +97,7 @@ GatheredLight3::GatheredLight3(const PreparedScene3& prepared, Granularity granu
 
 // The coordinates by which a plane is told best.
 void GatheredLight3::add_side(const Patch3& patch, Side& side) const {
-  const Direction3 n = unit_of(normal_toward(prepared_.blockers(), {patch.surface, false}));
+  const Direction3 n = unit_of_3(normal_of_side_3(prepared_.blockers(), {patch.surface, false}));
   const std::array<double, 3> size{std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)};
   const auto most = static_cast<std::size_t>(std::ranges::max_element(size) - size.begin());
   side.axes = {(most + 1) % 3, (most + 2) % 3, most};
@@ -154,9 +139,9 @@ void GatheredLight3::add_run(const PartRun3& run, const Side& side, Part& part) 
 }
 
 void GatheredLight3::irradiance(const Point3& point, const Face& side, std::span<double> result) const {
-  const Vector3 normal = normal_toward(prepared_.blockers(), side);
+  const Vector3 normal = normal_of_side_3(prepared_.blockers(), side);
   const PointMap3 map = map_from(prepared_.blockers(), {.eye = point, .normal = Point3{normal.x, normal.y, normal.z}});
-  const Eye eye{rounded_point(point), unit_of(normal)};
+  const Eye eye{rounded_point(point), unit_of_3(normal)};
   std::fill(result.begin(), result.end(), 0.0);
   std::vector<Seen> near;
   for (const PointMap3::Fragment& fragment : map.fragments) add_fragment(map, fragment, eye, result, near);

@@ -79,9 +79,7 @@ std::optional<double> SeenElements3::around(const Point3& eye, const Take& take)
 
 double SeenElements3::toward(const Point3& eye, const Vector3& normal, const Take& take) const {
   const PointMap3 map = map_from(prepared_.blockers(), {.eye = eye, .normal = Point3{normal.x, normal.y, normal.z}});
-  const Rational largest = std::max({Rational(abs(normal.x)), Rational(abs(normal.y)), Rational(abs(normal.z))});
-  const Direction3 up =
-      unit({to_double(normal.x / largest), to_double(normal.y / largest), to_double(normal.z / largest)});
+  const Direction3 up = unit_of_3(normal);
   tell(
       map, eye, [](const PointMap3::Fragment& fragment) { return fragment.factor; },
       [&up](std::span<const Direction3> cone) { return view_factor_3(cone, up); }, take);

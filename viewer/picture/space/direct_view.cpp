@@ -17,11 +17,6 @@
 namespace hottel {
 namespace {
 
-Direction3 unit_of(const Vector3& v) {
-  const Rational largest = std::max({Rational(abs(v.x)), Rational(abs(v.y)), Rational(abs(v.z))});
-  return unit({to_double(v.x / largest), to_double(v.y / largest), to_double(v.z / largest)});
-}
-
 // The part of a square pixel in which a value is positive that is `middle` in its middle and changes so much across.
 double positive_part(double middle, double across, double down) {
   if (std::fabs(middle) >= (std::fabs(across) + std::fabs(down)) / 2) return middle > 0 ? 1 : 0;
@@ -36,12 +31,12 @@ class Sender {
  public:
   Sender(const DirectLight3& light, const LightPlace3& place, bool is_sun, const Point3& eye) {
     if (is_sun) {
-      sun_ = unit_of(place.direction);
+      sun_ = unit_of_3(place.direction);
       return;
     }
     const Beam3& beam = light.beam().beam();
     place_ = rounded_way(eye, place.position);
-    axis_ = unit_of(beam.axis);
+    axis_ = unit_of_3(beam.axis);
     falloff_ = to_double(beam.falloff);
     reach_ = to_double(beam.reach()) * (std::numbers::pi / 180);
     const Point3 on_axis{place.position.x + beam.axis.x, place.position.y + beam.axis.y,

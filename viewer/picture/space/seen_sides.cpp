@@ -30,20 +30,14 @@ std::vector<std::optional<std::uint32_t>> elements_of_sides_3(const PreparedScen
   return result;
 }
 
-Vector3 normal_of_side_3(const PreparedScene3& prepared, const Face& side) {
-  const Vector3 n = doubled_area(prepared.arrangement().pieces()[side.surface].polygon);
-  return side.is_back ? Vector3{-n.x, -n.y, -n.z} : n;
-}
-
 PixelPolygon common_polygon_3(PixelPolygon polygon, const PixelPolygon& other) {
   const double sign = pixel_area_doubled_3(other) < 0 ? -1 : 1;
-  for (std::size_t k = 0; k < other.size() && polygon.size() > 2; ++k) {
-    const Pixel &a = other[k], &b = other[k + 1 == other.size() ? 0 : k + 1];
-    polygon = cut_convex(
-        polygon, [&](const Pixel& p) { return sign * ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)); },
-        place_between_3);
-  }
-  return polygon;
+  return common_convex(
+      std::move(polygon), other,
+      [sign](const Pixel& a, const Pixel& b, const Pixel& p) {
+        return sign * ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x));
+      },
+      place_between_3);
 }
 
 }  // namespace hottel

@@ -28,9 +28,6 @@ std::vector<SeenSide3> seen_sides_3(const PreparedScene3& prepared, const Camera
 std::vector<std::optional<std::uint32_t>> elements_of_sides_3(const PreparedScene3& prepared,
                                                               const ElementTable3& table);
 
-// The normal of a side of a piece, of any length.
-Vector3 normal_of_side_3(const PreparedScene3& prepared, const Face& side);
-
 // The part of a convex polygon of a picture inside another one, whichever way that goes around.
 PixelPolygon common_polygon_3(PixelPolygon polygon, const PixelPolygon& other);
 

@@ -15,7 +15,7 @@ constexpr Command kCommands[] = {
     {"look", "previous", "shift+m", "the one before"},
     {"look", "again", "space", "begin the sweeps again"},
     {"look", "shading", "o", "blend over flat surfaces, or not"},
-    {"look", "gather", "g", "at rest, gather light point by point, or not"},
+    {"look", "gather", "l", "at rest, gather light point by point, or not"},
     {"look", "outlines", "x", "outlines of faces, or none"},
     {"look", "tone", "t", "next tone curve"},
     {"look", "darker", "-", "less exposure"},
