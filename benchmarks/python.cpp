@@ -35,7 +35,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/parallel.h"
 #include "solver/plane/light/point_lights.h"
-#include "solver/plane/simulation/questions.h"
+#include "solver/plane/simulation/queries.h"
 #include "solver/plane/simulation/simulation.h"
 
 namespace hottel::benchmarks {

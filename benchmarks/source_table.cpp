@@ -249,8 +249,8 @@ struct Divided {
 
   Divided(bool has_boxes, std::uint32_t n) : scene(scene_of(has_boxes, n)) {
     prepared = std::make_shared<const PreparedScene3>(prepare(scene));
-    const ElementTable3 table(scene, prepared->arrangement(), prepared->blockers(), Granularity::kElement);
-    const auto corners = element_corners(table, prepared->blockers().vertices());
+    const ElementTable3 table(scene, prepared->arrangement(), prepared->occluders(), Granularity::kElement);
+    const auto corners = element_corners(table, prepared->occluders().vertices());
     for (std::uint32_t label = 0; label < table.count(); ++label) {
       if (!table.has_row(label)) continue;
       rows.push_back(label);

@@ -21,7 +21,7 @@
 #include "benchmarks/space_scenes.h"
 #include "geometry/space/arrangement/whole_patch.h"
 #include "geometry/space/generate/generators.h"
-#include "geometry/space/pairs/pair_measure.h"
+#include "geometry/space/pairs/pair_integrator.h"
 #include "kernel/support/parallel.h"
 #include "kernel/support/stopwatch.h"
 
@@ -141,10 +141,10 @@ std::vector<Polygon3> scene(std::size_t kind, int n) {
   return polygons;
 }
 
-double seconds_of(std::size_t kind, int n, PairMeasure3& pair) {
-  const Blockers3 blockers(scene(kind, n));
-  const PairMeasurer3 measurer(blockers);
-  const Patch3 i = whole_patch(blockers, 0), j = whole_patch(blockers, 1);
+double seconds_of(std::size_t kind, int n, PairResult3& pair) {
+  const Occluders3 occluders(scene(kind, n));
+  const PairIntegrator3 measurer(occluders);
+  const Patch3 i = whole_patch(occluders, 0), j = whole_patch(occluders, 1);
   Stopwatch watch;
   pair = measurer.measure(i, j, {.tolerance = 1e-6});
   return watch.lap();
@@ -154,7 +154,7 @@ void between(benchmark::State& state, std::size_t kind, int n) {
   const ThreadLimit limit(1);
   const DefaultFloatingPoint arithmetic;
   for (auto _ : state) {
-    PairMeasure3 before, pair;
+    PairResult3 before, pair;
     const double with_less = n > 1 ? seconds_of(kind, n - 1, before) : 0;
     const double seconds = seconds_of(kind, n, pair);
     state.SetIterationTime(seconds);

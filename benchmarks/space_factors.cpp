@@ -5,15 +5,15 @@
 //
 //   factors  preparation and exact_exchange, everything `hottel factors` does but reading and writing: black backs and
 //            the sky are among the columns, visibilities are computed
-//   pairs    every pair by itself through PairMeasurer3, on one thread, with a stopwatch: fronts alone, as published
+//   pairs    every pair by itself through PairIntegrator3, on one thread, with a stopwatch: fronts alone, as published
 //            studies do it; with black backs; with these and the sky
 //   stages   the mixed pairs of the fronts once more, their stages one after the other, each timed alone: what is left
 //            of the whole is summing and refining the integrals
 //   town     20 elements drawn by seed from a town under the sky: their whole rows, on one thread; 100 buildings (2,400
 //            elements) with backs and sky, 500 (10,400) with backs, and 4 elements of these with the sky too
 //
-// Kinds of pairs are those of Sight3. `closure` is |row sum - 1|: of rows that see anything at all, for where backs are
-// left out elements beneath boxes see nothing.
+// Kinds of pairs are those of PairVisibility3. `closure` is |row sum - 1|: of rows that see anything at all, for where
+// backs are left out elements beneath boxes see nothing.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@
 
 #include "benchmarks/clutter.h"
 #include "benchmarks/space_scenes.h"
-#include "geometry/space/between/pair_setting.h"
+#include "geometry/space/between/pair_occluders.h"
 #include "geometry/space/exchange/exchange.h"
 #include "geometry/space/exchange/facing.h"
 #include "geometry/space/pairs/pair_stretches.h"
@@ -105,16 +105,16 @@ struct Kind {
 
 // What measuring pairs one by one tells.
 struct Tally {
-  std::array<Kind, 3> kinds;  // by Sight3
+  std::array<Kind, 3> kinds;  // by PairVisibility3
   double maps = 0, pieces = 0, nodes = 0, failed = 0;
 
-  const Kind& of(Sight3 sight) const { return kinds[static_cast<std::size_t>(sight)]; }
+  const Kind& of(PairVisibility3 sight) const { return kinds[static_cast<std::size_t>(sight)]; }
 
   // Measures a pair of `a`, whose row it is. Returns S.
   double measure(const PreparedScene3& prepared, PairRow3& row, const Part& a, const Part& b, double tolerance) {
     Stopwatch watch;
-    PairMeasure3 pair;
-    if (b.patch.is_sky() || surfaces_face_each_other(prepared.blockers(), a, b))
+    PairResult3 pair;
+    if (b.patch.is_sky() || surfaces_face_each_other(prepared.occluders(), a, b))
       pair = row.measure(b.patch, {.tolerance = tolerance});
     kinds[static_cast<std::size_t>(pair.sight)].seconds.push_back(watch.lap());
     maps += pair.maps;
@@ -125,7 +125,8 @@ struct Tally {
   }
 
   void tell(benchmark::State& state, double per) const {
-    const Kind &hidden = of(Sight3::kHidden), &clear = of(Sight3::kClear), &mixed = of(Sight3::kMixed);
+    const Kind &hidden = of(PairVisibility3::kHidden), &clear = of(PairVisibility3::kClear),
+               &mixed = of(PairVisibility3::kMixed);
     state.counters["hidden"] = hidden.count() / per;
     state.counters["clear"] = clear.count() / per;
     state.counters["mixed"] = mixed.count() / per;
@@ -197,16 +198,16 @@ class StagesOfPairs {
   StagesOfPairs(const PreparedScene3& prepared, double tolerance)
       : prepared_(prepared),
         tolerance_(tolerance),
-        boxes_(prepared.blockers()),
-        stretches_(prepared.blockers(), boxes_) {}
+        boxes_(prepared.occluders()),
+        stretches_(prepared.occluders(), boxes_) {}
 
   void add(const Patch3& i, const Patch3& j) {
-    const Blockers3& blockers = prepared_.blockers();
+    const Occluders3& occluders = prepared_.occluders();
     Stopwatch watch;
-    const PairSetting3 setting(blockers, boxes_, i, j);
+    const PairOccluders3 setting(occluders, boxes_, i, j);
     const double classification = watch.lap();
-    if (setting.sight != Sight3::kMixed) return;
-    benchmark::DoNotOptimize(unobstructed_measure(blockers.vertices(), i, j, tolerance_ / 4));
+    if (setting.sight != PairVisibility3::kMixed) return;
+    benchmark::DoNotOptimize(unobstructed_measure(occluders.vertices(), i, j, tolerance_ / 4));
     const double alone = watch.lap();
     const std::vector<PairStretch3> stretches = pair_stretches(setting, stretches_, i, j);
     const double edges = watch.lap();
@@ -224,7 +225,7 @@ class StagesOfPairs {
     for (std::size_t k = 0; k < seconds_.size(); ++k) seconds_[k] += parts[k];
     whole_ += whole;
     ++mixed_;
-    blockers_ += static_cast<double>(setting.bodies.bodies.size() - 2);
+    occluders_ += static_cast<double>(setting.bodies.bodies.size() - 2);
     edges_ += static_cast<double>(stretches.size());
   }
 
@@ -236,7 +237,7 @@ class StagesOfPairs {
       state.counters[std::string("share_") + kNames[k]] = 100 * seconds_[k] / whole_;
     state.counters["mixed"] = mixed_;
     state.counters["ms_mixed"] = 1e3 * whole_ / mixed_;
-    state.counters["blockers"] = blockers_ / mixed_;
+    state.counters["occluders"] = occluders_ / mixed_;
     state.counters["stretches"] = edges_ / mixed_;
   }
 
@@ -246,7 +247,7 @@ class StagesOfPairs {
   SurfaceBoxes3 boxes_;
   SurfaceStretches3 stretches_;
   std::array<double, 5> seconds_{};
-  double whole_ = 0, mixed_ = 0, blockers_ = 0, edges_ = 0;
+  double whole_ = 0, mixed_ = 0, occluders_ = 0, edges_ = 0;
 };
 
 void stages(benchmark::State& state, Room3 room, const Division& division, double tolerance) {
@@ -259,7 +260,7 @@ void stages(benchmark::State& state, Room3 room, const Division& division, doubl
     StagesOfPairs all(prepared, tolerance);
     for (std::size_t a = 0; a < parts.size(); ++a)
       for (std::size_t b = a + 1; b < parts.size(); ++b)
-        if (surfaces_face_each_other(prepared.blockers(), *parts[a], *parts[b]))
+        if (surfaces_face_each_other(prepared.occluders(), *parts[a], *parts[b]))
           all.add(parts[a]->patch, parts[b]->patch);
     state.SetIterationTime(all.whole());
     all.tell(state);

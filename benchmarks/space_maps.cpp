@@ -13,7 +13,7 @@
 
 #include "benchmarks/clutter.h"
 #include "benchmarks/space_scenes.h"
-#include "geometry/space/visibility/point_map.h"
+#include "geometry/space/visibility/visibility_map.h"
 #include "kernel/support/parallel.h"
 #include "kernel/support/stopwatch.h"
 
@@ -39,7 +39,7 @@ std::vector<Point3> eyes_3(int cells) {
 void maps(benchmark::State& state, std::size_t boxes, bool are_turned) {
   const DefaultFloatingPoint arithmetic;
   const Scene3 scene = full_room_3(boxes, are_turned);
-  const Blockers3 blockers(scene.polygons);
+  const Occluders3 occluders(scene.polygons);
   const std::vector<Point3> eyes = eyes_3(cells_for(boxes));
   std::vector<double> seconds;
   double fragments = 0, planes = 0;
@@ -48,7 +48,7 @@ void maps(benchmark::State& state, std::size_t boxes, bool are_turned) {
     double iteration = 0;
     for (const Point3& eye : eyes) {
       Stopwatch watch;
-      const PointMap3 map = map_from(blockers, {.eye = eye, .normal = {}});
+      const VisibilityMap3 map = map_from(occluders, {.eye = eye, .normal = {}});
       seconds.push_back(watch.lap());
       iteration += seconds.back();
       fragments += static_cast<double>(map.fragments.size());
@@ -62,7 +62,7 @@ void maps(benchmark::State& state, std::size_t boxes, bool are_turned) {
   state.counters["ms_map"] = 1e3 * median;
   state.counters["ms_largest"] = 1e3 * largest;
   state.counters["ratio"] = largest / median;
-  state.counters["us_per_polygon"] = 1e6 * median / static_cast<double>(blockers.size());
+  state.counters["us_per_polygon"] = 1e6 * median / static_cast<double>(occluders.size());
   state.counters["fragments"] = fragments / count;
   state.counters["planes"] = planes / count;
   const char* const kTiers[] = {"filter", "combinatorial", "exact"};

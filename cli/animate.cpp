@@ -22,12 +22,12 @@
 #include "geometry/plane/scene/moving_lights.h"
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/scene/moving_lights.h"
+#include "io/external/external_command.h"
+#include "io/external/external_method.h"
+#include "io/external/plane/external_matrix.h"
+#include "io/external/space/external_matrix.h"
 #include "io/files/output_file.h"
 #include "io/files/text_file.h"
-#include "io/foreign/foreign_command.h"
-#include "io/foreign/foreign_method.h"
-#include "io/foreign/plane/foreign_matrix.h"
-#include "io/foreign/space/foreign_matrix.h"
 #include "io/results/frames_file.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/counted.h"
@@ -170,7 +170,7 @@ bool has_program(const char* name) {
 // The same as a film, where there is a program that makes it. Sides are made even: the usual pixels of films are.
 void write_mp4(const std::filesystem::path& folder, std::uint32_t frames, const Rational& per_second) {
   const ScratchFolder scratch;
-  const CommandRun run = run_foreign_command(
+  const CommandRun run = run_external_command(
       fmt::format("cd {{scene}} && ffmpeg -v error -y -framerate {} -i frame_%05d.png -frames:v {} -vf "
                   "'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p {{out.mp4}}",
                   per_second.get_str(), frames),
@@ -246,14 +246,14 @@ void animate_scene(const AnimateOptions& options, AnyScene scene, Streams& strea
   std::uint32_t were_there = 0;
   for (std::uint32_t k = 0; k < frames; ++k) were_there += made.frames.contains(k) ? 1 : 0;
 
-  const std::uint64_t kept_bytes = memory_allowed(options.memory.value_or(0)) / 4;
+  const std::uint64_t cached_bytes = memory_allowed(options.memory.value_or(0)) / 4;
   const std::shared_ptr<FactorStore> store = options.store.is_given() ? options.store.open(options.method)
-                                             : is_foreign(options.method)
+                                             : is_external(options.method)
                                                  ? nullptr  // what others compute is asked for anew
-                                                 : Dimension::usual_store(kept_bytes);
+                                                 : Dimension::usual_store(cached_bytes);
   using Painter = typename Dimension::Painter;
   Animation<typename Dimension::Simulation, typename Painter::Kept> animation(
-      Dimension::simulation(options, std::move(scene), store), options.levels.levels(), kept_bytes, store);
+      Dimension::simulation(options, std::move(scene), store), options.levels.levels(), cached_bytes, store);
   std::vector<std::string> files{"frame_00000.png", "...", "frames.csv", "animation.json"};
   const auto progress = streams.progress("frames");
   std::optional<std::uint32_t> last;  // the frame made last, by this run

@@ -12,7 +12,7 @@
 #include "io/scene/scene_json.h"
 #include "io/scene/space/mesh_reader.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/naming_file.h"
+#include "kernel/support/with_file_context.h"
 #include "solver/plane/check/scene_repair.h"
 #include "solver/plane/simulation/simulation.h"
 
@@ -51,7 +51,7 @@ ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const
   std::shared_ptr<const SceneCheck2> after;
   const auto look = [&](const Scene2& some) { return look_at(some, streams); };
   const auto look_at_written = [&](const Scene2& some) {
-    text = naming_file(options.scene, [&] { return write_scene_2(some); });
+    text = with_file_context(options.scene, [&] { return write_scene_2(some); });
     repaired = parse_scene_2(text, options.fix);
     return after = look_at(repaired, streams);
   };

@@ -11,9 +11,9 @@
 #include "io/results/space/check_report.h"
 #include "io/scene/scene_json.h"
 #include "io/scene/space/mesh_reader.h"
-#include "kernel/support/naming_file.h"
+#include "kernel/support/with_file_context.h"
 #include "solver/space/check/scene_repair.h"
-#include "solver/space/simulation/questions.h"
+#include "solver/space/simulation/queries.h"
 #include "solver/space/simulation/simulation.h"
 
 namespace hottel {
@@ -53,7 +53,7 @@ ExitCode check_in_space(const Scene3& scene, const std::string& file, const std:
   Scene3 repaired;
   SceneCheck3 after;
   const Repair3 repair = repair_scene(scene, distance, before, [&](const Scene3& some) {
-    text = naming_file(scene.file, [&] { return write_scene_3(some); });
+    text = with_file_context(scene.file, [&] { return write_scene_3(some); });
     repaired = parse_scene_3(text, fix);
     repaired.sources = scene.sources;
     if (mesh)
@@ -68,7 +68,8 @@ ExitCode check_in_space(const Scene3& scene, const std::string& file, const std:
   const RepairReport report{&repair.steps, changes ? &*changes : nullptr};
   if (out) out->write(text, is_anything_done(repair.steps));
   if (mesh)
-    naming_file(file, [&] { write_repaired(fix, *mesh, repaired, is_anything_done(repair.steps), file, streams); });
+    with_file_context(file,
+                      [&] { write_repaired(fix, *mesh, repaired, is_anything_done(repair.steps), file, streams); });
   streams.write("", as_json ? check_json(repaired, after.findings, &report)
                             : repair_text(scene, report) + check_text(repaired, after.findings));
   if (out) out->commit(streams);

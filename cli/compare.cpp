@@ -16,12 +16,12 @@
 #include "cli/comparing.h"
 #include "cli/room_for_elements.h"
 #include "geometry/near_names.h"
+#include "io/external/external_radiosity.h"
 #include "io/files/output_file.h"
-#include "io/foreign/foreign_radiosity.h"
 #include "io/results/comparison_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/naming_file.h"
+#include "kernel/support/with_file_context.h"
 #include "solver/compare/verdict.h"
 #include "solver/compare/work_precision.h"
 #include "viewer/picture/plane/drawable.h"
@@ -63,12 +63,12 @@ void require_effect(const CompareOptions& options, const MethodCatalogue<Prepare
                     const Methods<Prepared>& methods, const std::vector<NamedMethod>& radiosity_files) {
   std::vector<std::string> names;
   std::map<std::string, int> members;
-  bool has_foreign = !radiosity_files.empty() || !options.grid_file.empty() || !options.texels.empty();
+  bool has_external = !radiosity_files.empty() || !options.grid_file.empty() || !options.texels.empty();
   bool has_parameter = false;
   for (const auto& [name, curve, method] : methods) {
     names.push_back(name);
     ++members[curve];
-    has_foreign = has_foreign || is_foreign(method->info().name);
+    has_external = has_external || is_external(method->info().name);
     has_parameter = has_parameter || method->info().parameter > 0;
   }
   if (options.plot_x == PlotX::kElements || options.plot_y == ErrorKind::kFaceRadiosity)
@@ -81,7 +81,7 @@ void require_effect(const CompareOptions& options, const MethodCatalogue<Prepare
   if (!options.map.empty() && std::ranges::find(names, options.map) == names.end())
     throw UnknownName("--map takes one of the methods that are compared, not '" + options.map + "'", options.map,
                       names);
-  if (options.beyond && !has_foreign)
+  if (options.beyond && !has_external)
     throw UsageError(
         "--beyond is about results of others: none of the methods is file: or run:, and there is no --grid-file and no "
         "--texels");
@@ -220,7 +220,7 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
   std::vector<std::string> taken = family_names(methods_there_are);
   for (const auto& method : methods) taken.push_back(method.curve);
   for (const NamedMethod& file : radiosity_files) {
-    outcome.results.push_back(naming_file(options.scene, [&] {
+    outcome.results.push_back(with_file_context(options.scene, [&] {
       return judge_radiosity_file(file.method.substr(std::string("file:").size()), comparison.exact(),
                                   comparison.required_solution(), options.beyond.value_or(kBeyond));
     }));
@@ -228,7 +228,7 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
     result.info.name = file.name();
     if (file.name() == options.map) outcome.map = error_map(comparison, result);
     result.solution.reset();
-    outcome.results.back().info.family = foreign_curve(file, taken);
+    outcome.results.back().info.family = external_curve(file, taken);
     taken.push_back(outcome.results.back().info.family);
   }
   // Files of radiosities have no factors: then the plot is of what all have.
@@ -245,7 +245,7 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
                                        "What accuracy costs: " + stem, size_text(comparison.exact()));
   std::vector<std::string> light;  // what is said of it
   if (grid) {
-    const JudgedGrid judged = naming_file(
+    const JudgedGrid judged = with_file_context(
         options.scene, [&] { return judge_grid(options.grid_file, comparison, options.beyond.value_or(kBeyond)); });
     grid->write(judged.csv);
     grid_picture->write(judged.picture);
@@ -253,7 +253,7 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
   }
   ComparedTexels compared_texels;
   if (texels) {
-    compared_texels = naming_file(options.scene, [&] {
+    compared_texels = with_file_context(options.scene, [&] {
       return judge_texels(*texels, comparison, options.beyond.value_or(kBeyond), streams.progress("light of texels"));
     });
     texel_table->write(texel_csv(compared_texels.judged));

@@ -42,7 +42,7 @@ std::vector<NamedMethod> methods_besides_exact(const MethodCatalogue<Prepared>& 
     const std::string& method = named.back().method;
     if (family_of_method(method) == "file")
       throw UsageError("--divide computes at several divisions, and " + method + " has one: run: computes each");
-    if (is_foreign(method) && method.find(kElementsWord) == std::string::npos)
+    if (is_external(method) && method.find(kElementsWord) == std::string::npos)
       throw UsageError("with --divide a command is told by {elements} into how many elements each surface is divided");
   }
   std::erase_if(named, [](const NamedMethod& each) { return each.method == kExactFamily; });
@@ -54,7 +54,7 @@ std::vector<NamedMethod> methods_besides_exact(const MethodCatalogue<Prepared>& 
 // The method at a division: of a command with the number in it.
 NamedMethod at_division(const NamedMethod& method, std::uint32_t elements) {
   NamedMethod result{method.method, method.name()};
-  if (!is_foreign(method.method)) return result;
+  if (!is_external(method.method)) return result;
   for (std::size_t at = 0; (at = result.method.find(kElementsWord)) != std::string::npos;)
     result.method.replace(at, std::string_view(kElementsWord).size(), std::to_string(elements));
   return result;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/plane/prepared/prepared_scene.h"
-#include "io/foreign/foreign_grid.h"
+#include "io/external/external_grid.h"
 #include "io/results/grid_report.h"
 #include "kernel/support/counted.h"
 #include "solver/compare/grid_errors.h"
@@ -16,7 +16,7 @@ namespace hottel {
 namespace {
 
 // Throws InputError where the scene says how many cells there are, and the file has others.
-void require_cells(const ForeignGrid& grid, std::uint32_t nx, std::uint32_t ny) {
+void require_cells(const ExternalGrid& grid, std::uint32_t nx, std::uint32_t ny) {
   if (grid.nx == nx && grid.ny == ny) return;
   throw InputError({grid.file, 0},
                    fmt::format("is of the shape ({}, {}), and the grid of the scene of ({}, {}){}", grid.ny, grid.nx,
@@ -24,26 +24,26 @@ void require_cells(const ForeignGrid& grid, std::uint32_t nx, std::uint32_t ny) 
                    {"(ny, nx): rows along the first index, the lowest first"});
 }
 
-void require_few_cells(const ForeignGrid& grid, std::uint32_t most) {
+void require_few_cells(const ExternalGrid& grid, std::uint32_t most) {
   if (std::max(grid.nx, grid.ny) > most || std::min(grid.nx, grid.ny) < 1)
     throw InputError({grid.file, 0}, fmt::format("has {} x {} cells, where a grid has from 1 to {} along an axis",
                                                  grid.nx, grid.ny, most));
 }
 
-void require_channels(const ForeignGrid& grid, const RadiositySolution& solution) {
+void require_channels(const ExternalGrid& grid, const RadiositySolution& solution) {
   if (grid.channels == solution.channels.size()) return;
   throw InputError({grid.file, 0},
                    fmt::format("has {} a cell, and the light of the scene {}", counted(grid.channels, "value"),
                                solution.channels.size() == 1 ? "one" : "three: r, g, b"));
 }
 
-JudgedGrid judged(const ForeignGrid& foreign, std::span<const double> exact, const RadiositySolution& solution,
+JudgedGrid judged(const ExternalGrid& external, std::span<const double> exact, const RadiositySolution& solution,
                   const GridPlace& place, double beyond) {
-  const GridValues found{foreign.ny, foreign.nx, foreign.channels, foreign.values},
-      right{foreign.ny, foreign.nx, foreign.channels, exact};
-  const std::vector<GridErrors> errors = grid_errors(found, right, beyond, foreign.digits);
+  const GridValues found{external.ny, external.nx, external.channels, external.values},
+      right{external.ny, external.nx, external.channels, exact};
+  const std::vector<GridErrors> errors = grid_errors(found, right, beyond, external.digits);
   return {grid_csv(errors, solution.channel_names, place),
-          grid_error_picture(found, right, foreign.file, place, "mean irradiance"),
+          grid_error_picture(found, right, external.file, place, "mean irradiance"),
           grid_sentences(errors, solution.channel_names, place, beyond, grid_reading(found, right))};
 }
 
@@ -66,36 +66,37 @@ const Grid3& grid_of_file(const Scene3& scene, const std::string& file) {
 
 JudgedGrid judge_grid(const std::string& file, const MethodComparison2& comparison, double beyond) {
   const RadiositySolution& solution = comparison.required_solution();
-  const ForeignGrid foreign = read_foreign_grid(file);
-  require_channels(foreign, solution);
+  const ExternalGrid external = read_external_grid(file);
+  require_channels(external, solution);
   const PreparedScene2& prepared = comparison.prepared();
   if (prepared.scene.grid)
-    require_cells(foreign, prepared.scene.grid->nx, prepared.scene.grid->ny);
+    require_cells(external, prepared.scene.grid->nx, prepared.scene.grid->ny);
   else
-    require_few_cells(foreign, kMaxGridCells);
-  const Grid2 grid = grid_over(prepared.scene, foreign.nx, foreign.ny);
+    require_few_cells(external, kMaxGridCells);
+  const Grid2 grid = grid_over(prepared.scene, external.nx, external.ny);
   const std::array<double, 2> min = to_doubles(grid.min), max = to_doubles(grid.max);
-  if (foreign.region)
+  if (external.region)
     for (std::size_t k = 0; k < 2; ++k) {
       const double allowed = 1e-9 * (max[k] - min[k]);
-      if (std::abs((*foreign.region)[0][k] - min[k]) > allowed || std::abs((*foreign.region)[1][k] - max[k]) > allowed)
+      if (std::abs((*external.region)[0][k] - min[k]) > allowed ||
+          std::abs((*external.region)[1][k] - max[k]) > allowed)
         throw InputError(
             {file + ".json", 0}, "says that the grid lies elsewhere than that of the scene",
             {"the scene may say where: \"grid\": {\"min\": [x, y], \"max\": [x, y], \"cells\": [nx, ny]}"});
     }
-  return judged(foreign, exact_light_on(comparison, grid).values, solution,
+  return judged(external, exact_light_on(comparison, grid).values, solution,
                 {{min[0], min[1], 0}, {max[0] - min[0], 0, 0}, {0, max[1] - min[1], 0}, grid.nx, grid.ny, false},
                 beyond);
 }
 
 JudgedGrid judge_grid(const std::string& file, const MethodComparison3& comparison, double beyond) {
   const RadiositySolution& solution = comparison.required_solution();
-  const ForeignGrid foreign = read_foreign_grid(file);
-  require_channels(foreign, solution);
+  const ExternalGrid external = read_external_grid(file);
+  require_channels(external, solution);
   const PreparedScene3& prepared = comparison.prepared();
   const Grid3& grid = grid_of_file(prepared.scene, file);
-  require_cells(foreign, grid.nu, grid.nv);
-  return judged(foreign, exact_light_on(comparison, grid).values, solution,
+  require_cells(external, grid.nu, grid.nv);
+  return judged(external, exact_light_on(comparison, grid).values, solution,
                 {to_doubles(grid.origin), to_doubles(grid.u), to_doubles(grid.v), grid.nu, grid.nv, true}, beyond);
 }
 

@@ -13,7 +13,7 @@ struct JudgedGrid {
   std::vector<std::string> sentences;
 };
 
-// Holds a file (read_foreign_grid) against the exact mean irradiance at the centres of the cells: of the scene's own
+// Holds a file (read_external_grid) against the exact mean irradiance at the centres of the cells: of the scene's own
 // grid, or in the plane of its bounding box, with as many cells as the file has. beyond: as in grid_errors(). Throws
 // InputError naming the file where it has other cells than the scene's own grid, other channels, or says that it lies
 // elsewhere, and in space where the scene has no grid; RequestError where there is no exact light.

@@ -36,7 +36,7 @@ std::pair<std::string, std::string> parts_of(const std::string& option, const Sc
                                     : std::pair(option.substr(0, first), option.substr(first + 1));
 }
 
-void require_cells(const ForeignGrid& grid) {
+void require_cells(const ExternalGrid& grid) {
   if (std::max(grid.nx, grid.ny) > kMaxGridCells3)
     throw InputError({grid.file, 0}, fmt::format("has {} x {} texels, where a face has up to {} along a side", grid.nx,
                                                  grid.ny, kMaxGridCells3));
@@ -66,7 +66,7 @@ auto naming_facts(const TexelFacts& facts, const Work& work) {
   }
 }
 
-Responses3 responses_of(const ForeignTexels& texels, const std::string& quantity, const RadiositySolution& solution) {
+Responses3 responses_of(const ExternalTexels& texels, const std::string& quantity, const RadiositySolution& solution) {
   const std::vector<std::string>& names = solution.channel_names;
   if (texels.values.has_channels && quantity == "radiosity") return light_responses_3(solution);
   if (texels.values.has_channels && quantity == "irradiance") return irradiance_responses_3(solution);
@@ -79,13 +79,13 @@ Responses3 responses_of(const ForeignTexels& texels, const std::string& quantity
                    "says that texels have '" + quantity + "': radiosity, irradiance and net flux can be compared");
 }
 
-void require_channels(const ForeignGrid& grid, std::size_t channels) {
+void require_channels(const ExternalGrid& grid, std::size_t channels) {
   if (grid.channels == channels) return;
   throw InputError({grid.file, 0}, fmt::format("has {} a texel, and the light of the scene {}",
                                                counted(grid.channels, "value"), channels));
 }
 
-std::vector<std::string> channel_names(const ForeignTexels& texels, const RadiositySolution& solution) {
+std::vector<std::string> channel_names(const ExternalTexels& texels, const RadiositySolution& solution) {
   if (!texels.values.has_channels) return {"all"};
   std::vector<std::string> names = solution.channel_names;
   names.resize(texels.values.channels);
@@ -97,8 +97,8 @@ std::vector<std::string> channel_names(const ForeignTexels& texels, const Radios
 TexelFile texel_file(const std::string& option, const Scene3& scene) {
   const auto parts = parts_of(option, scene);
   if (!parts.first.empty()) face_of(scene, parts.first);
-  TexelFile result{read_foreign_texels(parts.second), {}, parts.first, {}};
-  const ForeignGrid& values = result.read.values;
+  TexelFile result{read_external_texels(parts.second), {}, parts.first, {}};
+  const ExternalGrid& values = result.read.values;
   const TexelFacts& facts = result.read.facts;
   require_cells(values);
   const auto find = [&] {
@@ -120,28 +120,28 @@ TexelFile texel_file(const std::string& option, const Scene3& scene) {
 ComparedTexels judge_texels(const TexelFile& file, const MethodComparison3& comparison, double beyond,
                             const std::function<void(double)>& progress) {
   const RadiositySolution& solution = comparison.required_solution();
-  const ForeignGrid& foreign = file.read.values;
+  const ExternalGrid& external = file.read.values;
   const std::string quantity = file.read.facts.quantity.value_or("radiosity");
   Responses3 responses = responses_of(file.read, quantity, solution);
-  require_channels(foreign, responses.channels);
+  require_channels(external, responses.channels);
   const GatheredSource3 source(comparison.prepared(), Granularity::kElement, solution, std::move(responses),
                                comparison.lights());
   const IlluminationGrid3 light = texels_3(comparison.prepared(), source, file.face, file.grid, progress);
-  const GridValues found{foreign.ny, foreign.nx, foreign.channels, foreign.values},
-      exact{foreign.ny, foreign.nx, foreign.channels, light.values};
+  const GridValues found{external.ny, external.nx, external.channels, external.values},
+      exact{external.ny, external.nx, external.channels, light.values};
   const PlanarRegion region = region_of(file.grid);
-  JudgedTexels judged{foreign.file,
+  JudgedTexels judged{external.file,
                       file.name,
                       quantity,
                       channel_names(file.read, solution),
-                      grid_errors(found, exact, beyond, foreign.digits),
-                      {region.origin, region.u, region.v, foreign.nx, foreign.ny, true},
+                      grid_errors(found, exact, beyond, external.digits),
+                      {region.origin, region.u, region.v, external.nx, external.ny, true},
                       beyond,
                       grid_reading(found, exact)};
   for (const GridErrors& each : judged.errors)
     if (each.cells == 0)
-      throw InputError({foreign.file, 0}, "has no finite value where " + file.name + " has light: none to compare");
-  std::string picture = grid_error_picture(found, exact, foreign.file, judged.place, quantity);
+      throw InputError({external.file, 0}, "has no finite value where " + file.name + " has light: none to compare");
+  std::string picture = grid_error_picture(found, exact, external.file, judged.place, quantity);
   return {std::move(judged), std::move(picture)};
 }
 

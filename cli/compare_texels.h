@@ -5,14 +5,14 @@
 #include <string>
 
 #include "cli/comparing.h"
-#include "io/foreign/foreign_texels.h"
+#include "io/external/external_texels.h"
 #include "io/results/texel_report.h"
 
 namespace hottel {
 
 // A lightmap that is to be judged, read and found to fit the scene.
 struct TexelFile {
-  ForeignTexels read;
+  ExternalTexels read;
   Face face;
   std::string name;  // of the face
   Grid3 grid;

@@ -18,9 +18,9 @@
 #include "cli/store_option.h"
 #include "cli/streams.h"
 #include "geometry/closed_promise.h"
-#include "io/foreign/foreign_method.h"
-#include "io/foreign/plane/foreign_matrix.h"
-#include "io/foreign/space/foreign_matrix.h"
+#include "io/external/external_method.h"
+#include "io/external/plane/external_matrix.h"
+#include "io/external/space/external_matrix.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/compare/method_comparison.h"
 #include "solver/plane/compare/pair_explanation.h"
@@ -130,14 +130,14 @@ std::vector<std::string> names_to_run(const MethodCatalogue<Prepared>& methods, 
 template <class Prepared>
 using Methods = std::vector<ComparedMethod<Prepared>>;
 
-// Makes the methods, each with the name of its curve: of hottel's own their family, of others foreign_curve().
+// Makes the methods, each with the name of its curve: of hottel's own their family, of others external_curve().
 template <class Prepared>
 Methods<Prepared> methods_to_run(const MethodCatalogue<Prepared>& catalogue, const std::vector<NamedMethod>& named) {
   Methods<Prepared> methods;
   std::vector<std::string> taken = family_names(catalogue);
   for (const NamedMethod& each : named) {
     auto method = catalogue.make(each.method);
-    const std::string curve = is_foreign(each.method) ? foreign_curve(each, taken) : method->info().family;
+    const std::string curve = is_external(each.method) ? external_curve(each, taken) : method->info().family;
     taken.push_back(curve);
     methods.push_back({each.name(), curve, std::move(method)});
   }

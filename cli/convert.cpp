@@ -23,7 +23,7 @@
 #include "io/scene/table_writer.h"
 #include "kernel/support/counted.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/naming_file.h"
+#include "kernel/support/with_file_context.h"
 
 namespace hottel {
 namespace {
@@ -44,7 +44,7 @@ std::string reflectivities(const std::vector<std::string>& materials, const Rati
 // A scene as the file that is asked for has it: as text, or read already.
 template <class AnyScene>
 void write_as_scene(const ConvertOptions& options, const AnyScene& scene, const Streams& streams) {
-  streams.write(options.out, naming_file(options.in, [&] {
+  streams.write(options.out, with_file_context(options.in, [&] {
                   if (is_binary_scene_name(options.out)) return binary_scene(scene);
                   if constexpr (std::is_same_v<AnyScene, Scene2>)
                     return write_scene_2(scene);
@@ -98,7 +98,7 @@ void note_lost_planes(const Scene3& scene, Streams& streams) {
 }
 
 void write_as_mesh(const ConvertOptions& options, MeshFormat3 format, const Scene3& scene, Streams& streams) {
-  naming_file(options.in, [&] { write_mesh(options.out, format, scene, streams); });
+  with_file_context(options.in, [&] { write_mesh(options.out, format, scene, streams); });
 }
 
 void convert_mesh(const ConvertOptions& options, Streams& streams) {

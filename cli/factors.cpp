@@ -13,12 +13,12 @@
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/prepared/element_pieces.h"
-#include "io/foreign/plane/foreign_matrix.h"
+#include "io/external/plane/external_matrix.h"
 #include "io/results/factors_report.h"
 #include "io/results/short_digits.h"
 #include "io/scene/space/vs3_reader.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/naming_file.h"
+#include "kernel/support/with_file_context.h"
 #include "solver/plane/simulation/simulation.h"
 #include "viewer/picture/plane/factor_picture.h"
 
@@ -174,7 +174,7 @@ void factors_in_plane(FactorsOptions& options, Scene2 scene, Streams& streams) {
     files.drawing->write(
         factor_picture_2(prepared, table.matrix, targets, factors.gray ? "script-F" : "view factor", *picture));
   if (files.out)
-    naming_file(options.scene, [&] {
+    with_file_context(options.scene, [&] {
       if (options.wants_exact_form) return write_closed_forms(options, prepared, table, *files.out);
       write_table(options, table, origin, files,
                   [&](const Sink& sink) { write_faces_csv(table, element_pieces(prepared, table.granularity), sink); });

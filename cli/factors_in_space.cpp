@@ -11,10 +11,10 @@
 #include "geometry/space/exchange/written_outlines.h"
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
-#include "io/foreign/space/foreign_matrix.h"
+#include "io/external/space/external_matrix.h"
 #include "io/results/space/element_files.h"
 #include "io/results/space/factors_report.h"
-#include "kernel/support/naming_file.h"
+#include "kernel/support/with_file_context.h"
 #include "solver/space/simulation/simulation.h"
 
 namespace hottel {
@@ -89,10 +89,10 @@ void factors_in_space(FactorsOptions& options, Scene3 scene, const Streams& stre
   obey_deck(options, streams, table, prepared->scene.polygons);
   if (options.pairs == "facing" || options.matrix == "visibility") table.hidden = *simulation.hidden(streams.stages());
   if (files.out)
-    naming_file(options.scene, [&] {
+    with_file_context(options.scene, [&] {
       write_table(options, table, origin, files, [&](const Sink& sink) {
         const ElementTable3& elements = *prepared->elements(request.granularity);
-        write_faces_csv_3(table, written_outlines(elements, prepared->blockers().vertices()), sink);
+        write_faces_csv_3(table, written_outlines(elements, prepared->occluders().vertices()), sink);
       });
     });
   files.finish();

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <set>
 
-#include "io/foreign/foreign_method.h"
-#include "io/foreign/foreign_radiosity.h"
-#include "io/foreign/plane/foreign_matrix.h"
-#include "io/foreign/space/foreign_matrix.h"
+#include "io/external/external_method.h"
+#include "io/external/external_radiosity.h"
+#include "io/external/plane/external_matrix.h"
+#include "io/external/space/external_matrix.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -19,7 +19,7 @@ constexpr const char* kInPlane = " (in the plane)";
 // "mine=file:own.csv"
 bool is_named(const std::string& part) {
   const std::size_t equals = part.find('=');
-  return equals != std::string::npos && part.find(':') > equals && is_foreign(part.substr(equals + 1));
+  return equals != std::string::npos && part.find(':') > equals && is_external(part.substr(equals + 1));
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ std::vector<std::string> method_names(const std::vector<std::string>& lists, con
   std::vector<std::string> names;
   const auto add = [&](const std::string& part) {
     const bool is_method = std::ranges::find(families, family_of_method(part)) != families.end() || is_named(part);
-    if (!is_method && !names.empty() && is_foreign(named_method(names.back()).method))
+    if (!is_method && !names.empty() && is_external(named_method(names.back()).method))
       names.back() += "," + part;
     else if (part.empty())
       throw UsageError("--methods has an empty name; names are separated by single commas");
@@ -66,14 +66,14 @@ NamedMethod named_method(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || text.find(':') < equals) return {text, ""};
   const NamedMethod split{text.substr(equals + 1), text.substr(0, equals)};
-  if (!is_foreign(split.method))
+  if (!is_external(split.method))
     throw UsageError("--methods gives names to file: and run:, as in mine=file:own.csv; '" + split.method +
                      "' has its own");
   if (split.given.empty()) throw UsageError("--methods has an empty name before '='");
   return split;
 }
 
-std::string foreign_curve(const NamedMethod& method, const std::vector<std::string>& taken) {
+std::string external_curve(const NamedMethod& method, const std::vector<std::string>& taken) {
   if (!method.given.empty()) return method.given;
   const auto [raw, normalised] = split_method_name(method.method);
   if (!raw.starts_with(kFile)) return method.method;

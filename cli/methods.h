@@ -41,7 +41,7 @@ NamedMethod named_method(const std::string& text);
 
 // What the curve of a method of others is called: the name that it was given; else the stem of the file, "own" of
 // file:out/own.csv, unless that is one of `taken`; else the method. `:normalised` stays at its end.
-std::string foreign_curve(const NamedMethod& method, const std::vector<std::string>& taken);
+std::string external_curve(const NamedMethod& method, const std::vector<std::string>& taken);
 
 // Takes the methods out that are files of radiosities (file:PATH), not of view factors. Both keep their order. One with
 // :normalised is never one. Throws InputError for a file that cannot be read.

@@ -11,11 +11,11 @@
 #include <variant>
 #include <vector>
 
-#include "io/foreign/oriented_points.h"
+#include "io/external/oriented_points.h"
 #include "io/results/oriented_light_csv.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/naming_file.h"
 #include "kernel/support/parallel.h"
+#include "kernel/support/with_file_context.h"
 #include "solver/plane/light/oriented_lights.h"
 #include "solver/plane/simulation/simulation.h"
 #include "solver/space/light/oriented_lights.h"
@@ -105,7 +105,7 @@ void write_oriented_light(const OrientedPointsInput& input, Scene scene, Streams
   const LightOfScene light = light_of(std::move(scene), streams.stages());
   try {
     OrientedLightCsv csv(dimension, light.channel_names, [&file](std::string_view text) { file.write(text); });
-    naming_file(input.scene, [&] { write_light(points, light.light_at, streams, csv); });
+    with_file_context(input.scene, [&] { write_light(points, light.light_at, streams, csv); });
     file.commit();
   } catch (const ReaderGone&) {  // nobody reads on
   }

@@ -9,14 +9,14 @@
 
 #include "geometry/scene_names.h"
 #include "geometry/space/arrangement/arrangement.h"
-#include "geometry/space/arrangement/blockers.h"
+#include "geometry/space/arrangement/occluders.h"
 #include "geometry/space/visibility/seen_faces.h"
 #include "io/files/output_file.h"
 #include "io/results/csv_field.h"
 #include "kernel/support/counted.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/naming_file.h"
 #include "kernel/support/parallel.h"
+#include "kernel/support/with_file_context.h"
 
 namespace hottel {
 namespace {
@@ -24,15 +24,15 @@ namespace {
 // A scene that points look at.
 class SeenFaces3 {
  public:
-  explicit SeenFaces3(const Scene3& scene) : scene_(scene), arrangement_(scene), blockers_(arrangement_.polygons()) {}
+  explicit SeenFaces3(const Scene3& scene) : scene_(scene), arrangement_(scene), occluders_(arrangement_.polygons()) {}
 
   // The lines of a point by its number; nothing in a solid.
   std::optional<std::string> lines(std::size_t number, const Point3& eye) const {
     if (arrangement_.solids().around(eye)) return std::nullopt;
-    const PointMap3 map = faces_seen_from(eye, blockers_, arrangement_);
+    const VisibilityMap3 map = faces_seen_from(eye, occluders_, arrangement_);
     const std::string begin = begin_of(number, eye);
     std::string text;
-    for (const PointMap3::Share& share : map.shares)
+    for (const VisibilityMap3::Share& share : map.shares)
       text += begin + csv_field(face_name(scene_, share.face)) + end_of(share.fraction);
     if (map.sky_fraction > kNothing) text += begin + "sky" + end_of(map.sky_fraction);
     return text;
@@ -52,7 +52,7 @@ class SeenFaces3 {
 
   const Scene3& scene_;
   Arrangement3 arrangement_;
-  Blockers3 blockers_;
+  Occluders3 occluders_;
 };
 
 // Some points at a time; returns how many are in solids.
@@ -81,7 +81,7 @@ void write_seen_faces(const std::vector<Point3>& points, const Scene3& scene, co
   try {
     file.write("point,x,y,z,face,fraction,solid_angle\n");
     const std::size_t in_solids =
-        naming_file(scene.file, [&] { return write_lines(SeenFaces3(scene), points, streams, file); });
+        with_file_context(scene.file, [&] { return write_lines(SeenFaces3(scene), points, streams, file); });
     if (in_solids > 0) streams.note("in solids, where nothing is seen, are " + counted(in_solids, "point"));
     file.commit();
   } catch (const ReaderGone&) {  // nobody reads on

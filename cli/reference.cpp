@@ -25,7 +25,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/counted.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/naming_file.h"
+#include "kernel/support/with_file_context.h"
 #include "solver/plane/simulation/simulation.h"
 #include "solver/space/simulation/simulation.h"
 
@@ -81,7 +81,7 @@ void change(const ReferenceOptions& options, Scene3& scene) {
 }
 
 std::string text_of(const std::string& file, const Scene& scene) {
-  return naming_file(file, [&] {
+  return with_file_context(file, [&] {
     const auto* const plane = std::get_if<Scene2>(&scene);
     return plane != nullptr ? write_scene_2(*plane) : write_scene_3(std::get<Scene3>(scene));
   });
@@ -182,7 +182,7 @@ SceneReference refer_in_space(const std::string& name, GivenScene given, double 
                           .write_faces =
                               [&](const Sink& sink) {
                                 const ElementTable3& elements = *prepared->elements(Granularity::kElement);
-                                write_faces_csv_3(table, written_outlines(elements, prepared->blockers().vertices()),
+                                write_faces_csv_3(table, written_outlines(elements, prepared->occluders().vertices()),
                                                   sink);
                               },
                           .lights = reference_lights(lights, *solution)});

@@ -8,7 +8,7 @@
 #include "io/results/plane/edge_report.h"
 #include "io/results/plane/graph_report.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/naming_file.h"
+#include "kernel/support/with_file_context.h"
 
 namespace hottel {
 
@@ -26,7 +26,7 @@ void write_events(const SceneLines& lines, const PreparedScene2& prepared, const
     return;
   }
   std::string text;
-  naming_file(lines.scene, [&] {
+  with_file_context(lines.scene, [&] {
     write_critical_lines_csv(prepared, found, lines.exact, [&](std::string_view part) { text += part; });
   });
   streams.write(lines.out, text);
@@ -38,7 +38,7 @@ void write_graph(const SceneLines& lines, const PreparedScene2& prepared, const 
                                             : GraphFormat2::kCsv;
   OutputFile file = streams.output(lines.out);
   try {
-    naming_file(lines.scene, [&] {
+    with_file_context(lines.scene, [&] {
       GraphWriter2 writer(prepared, format, [&](std::string_view text) { file.write(text); });
       visibility_graph(
           prepared, [&](std::span<const VisiblePair2> pairs) { writer.add(pairs); },

@@ -4,8 +4,8 @@
 
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
-#include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
+#include "kernel/support/with_file_context.h"
 #include "solver/radiosity/gray_exchange.h"
 
 namespace hottel {
@@ -14,7 +14,7 @@ namespace {
 int channel_of(const FactorsOptions& options, const ExchangeMatrix& matrix, const std::vector<Material>& materials) {
   if (!materials.empty() && materials.front().has_bands && !options.channel.empty())
     throw UsageError(options.scene + " has two bands, not r, g and b: script-F is of the thermal one");
-  return naming_file(options.scene, [&] { return gray_channel(matrix, materials, options.channel); });
+  return with_file_context(options.scene, [&] { return gray_channel(matrix, materials, options.channel); });
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ GrayFactors gray_factors(const FactorsOptions& options, const ExchangeMatrix& ma
                          const std::vector<Material>& materials, const Streams& streams) {
   Stopwatch watch;
   const int channel = channel_of(options, matrix, materials);
-  ExchangeMatrix gray = naming_file(options.scene, [&] {
+  ExchangeMatrix gray = with_file_context(options.scene, [&] {
     return gray_exchange(
         matrix, materials,
         {.channel = channel, .memory = memory_allowed(options.memory), .progress = streams.progress("script-F")});

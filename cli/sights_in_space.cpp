@@ -16,7 +16,7 @@
 #include "io/results/space/sight_report.h"
 #include "kernel/support/counted.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/naming_file.h"
+#include "kernel/support/with_file_context.h"
 #include "solver/space/simulation/simulation.h"
 #include "viewer/picture/space/event_picture.h"
 
@@ -68,7 +68,7 @@ void write_face_sight(const std::string& name, bool is_json, const Simulation3& 
   if (name == "sky") throw UsageError("--face is a face, which the sky is not");
   const auto prepared = simulation.prepared(streams.stages());
   const Face face = face_of(prepared->scene, name);
-  naming_file(prepared->scene.file, [&] {
+  with_file_context(prepared->scene.file, [&] {
     require_free(*prepared, face);
     const VisibilityAnswer answer =
         face_answer(prepared->scene, name, faces_seen_by(*prepared, face, streams.progress("weak visibility")));
@@ -80,7 +80,7 @@ void write_graph_3(const SceneLines& lines, const Simulation3& simulation, const
   OutputFile file = streams.output(lines.out);
   const auto prepared = simulation.prepared(streams.stages());
   try {
-    naming_file(lines.scene, [&] {
+    with_file_context(lines.scene, [&] {
       const VisibilityGraph3 graph{graph_vertices_3(prepared->scene),
                                    visibility_graph_3(*prepared, streams.progress("visibility graph"))};
       if (lines.json)
@@ -113,7 +113,7 @@ void write_events_3(const EventRequest3& request, const Simulation3& simulation,
   OutputFile file = streams.output(request.out);
   const auto prepared = simulation.prepared(streams.stages());
   try {
-    naming_file(request.scene, [&] {
+    with_file_context(request.scene, [&] {
       for (const Face& face : {from, to}) require_free(*prepared, face);
       const std::vector<EventSurface3> events = event_surfaces(*prepared, from, to);
       const auto sink = [&file](std::string_view text) { file.write(text); };
@@ -131,7 +131,7 @@ void write_events_3(const EventRequest3& request, const Simulation3& simulation,
 void write_exact_forms_3(const std::vector<std::string>& names, const Simulation3& simulation, const Streams& streams,
                          OutputFile& out) {
   const Scene3& scene = simulation.scene();
-  naming_file(scene.file, [&] {
+  with_file_context(scene.file, [&] {
     if (names.empty()) {
       out.write("from,to,exchange,area\n");
       return write_all_forms(simulation, streams, out);

@@ -5,15 +5,15 @@
 #include <atomic>
 #include <csignal>
 
+#include "io/external/external_command.h"
 #include "io/files/pending_removal.h"
-#include "io/foreign/foreign_command.h"
 #include "kernel/support/interrupt.h"
 
 namespace hottel {
 namespace {
 
 [[noreturn]] void end_now(int signal) {
-  kill_foreign_command();
+  kill_external_command();
   remove_pending();
   ::_exit(128 + signal);
 }

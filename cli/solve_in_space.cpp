@@ -22,8 +22,8 @@
 #include "cli/views.h"
 #include "geometry/name.h"
 #include "geometry/scene_names.h"
+#include "io/external/space/external_matrix.h"
 #include "io/files/output_file.h"
-#include "io/foreign/space/foreign_matrix.h"
 #include "io/results/exr.h"
 #include "io/results/npy.h"
 #include "io/results/solve_report.h"
@@ -33,8 +33,8 @@
 #include "io/results/space/radiosity_vtu.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
-#include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
+#include "kernel/support/with_file_context.h"
 #include "solver/plan_speed.h"
 #include "solver/space/check/lost_light.h"
 #include "solver/space/light/oriented_lights.h"
@@ -271,7 +271,7 @@ std::unique_ptr<const RenderedView3> view_of(const SolveOptions& options, const 
                        .is_for_numbers = renders_numbers(options),
                        .progress = streams.progress("gathered light")};
   if (!shown.is_light()) asked.shown = shown_values(shown, simulation.scene(), factors->matrix, *solution);
-  return naming_file(options.scene, [&] {
+  return with_file_context(options.scene, [&] {
     return std::make_unique<const RenderedView3>(*simulation.prepared(), simulation.request().factors.granularity,
                                                  *solution, std::move(asked));
   });
@@ -362,7 +362,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   const NetFluxes fluxes(simulation.scene(), factors->matrix, *solution, *simulation.light_shares());
   const Solved solved{simulation.scene(), factors->matrix, *solution, fluxes};
   files.write_tables(solved, options.digits);
-  naming_file(options.scene, [&] {
+  with_file_context(options.scene, [&] {
     write_radiosity_vtu(*simulation.prepared(), request.factors.granularity, factors->matrix, *solution,
                         [&vtu](std::string_view text) { vtu.write(text); });
   });

@@ -1,6 +1,6 @@
 #include "cli/store_option.h"
 
-#include "io/foreign/foreign_method.h"
+#include "io/external/external_method.h"
 #include "io/store/factor_store.h"
 #include "kernel/support/failure.h"
 
@@ -17,7 +17,7 @@ void StoreOption::add_to(CLI::App& command) {
 std::shared_ptr<FactorStore> StoreOption::open(const std::string& method) const {
   if (!is_given()) return nullptr;
   if (file == "-") throw UsageError("--store takes a file, not -");
-  if (is_foreign(method)) throw UsageError("--store keeps what hottel computes, not the factors of " + method);
+  if (is_external(method)) throw UsageError("--store keeps what hottel computes, not the factors of " + method);
   return open_factor_store(file);
 }
 

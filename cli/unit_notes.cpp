@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "geometry/unit_of_length.h"
-#include "kernel/support/naming_file.h"
+#include "kernel/support/with_file_context.h"
 
 namespace hottel {
 namespace {
@@ -31,7 +31,7 @@ std::vector<std::string> with_unit_note(const Scene3& scene, std::vector<std::st
 }
 
 void require_light_in_watts(const Scene& scene) {
-  std::visit([](const SceneTable& table) { naming_file(table.file, [&] { require_told_lamps(table); }); }, scene);
+  std::visit([](const SceneTable& table) { with_file_context(table.file, [&] { require_told_lamps(table); }); }, scene);
 }
 
 }  // namespace hottel

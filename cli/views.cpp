@@ -17,7 +17,7 @@
 #include "io/results/space/element_files.h"
 #include "io/results/view_rows.h"
 #include "kernel/support/memory.h"
-#include "kernel/support/naming_file.h"
+#include "kernel/support/with_file_context.h"
 #include "solver/space/light/seen_rows.h"
 
 namespace hottel {
@@ -36,7 +36,7 @@ void write_views_2(const PreparedScene2& prepared, const Grid2& grid, const Fact
                    const Streams& streams, ViewsOutput& output) {
   const ElementTable2& table = *prepared.elements(factors.granularity);
   const LightMatrix2 matrix{prepared, grid, table, memory_allowed(memory)};
-  naming_file(prepared.scene.file, [&] {
+  with_file_context(prepared.scene.file, [&] {
     const LightMatrixSize size = light_matrix_size(matrix, streams.progress("views, counted"));
     require_space(output.mtx.name(), light_matrix_bytes(matrix, size),
                   fmt::format("what {} x {} cells see takes about", grid.nx, grid.ny), "; take a coarser --grid");
@@ -75,9 +75,9 @@ void write_rows(const std::vector<ViewEntries>& rows, const Grid3& grid, std::ui
 void write_views_3(const PreparedScene3& prepared, const Grid3& grid, const FactorTable& factors, std::uint64_t memory,
                    const Streams& streams, ViewsOutput& output) {
   const ElementTable3& table = *prepared.elements(factors.granularity);
-  naming_file(prepared.scene.file, [&] {
+  with_file_context(prepared.scene.file, [&] {
     write_rows(rows_of_views(prepared, grid, table, memory, streams), grid, table.count() + 1, output.mtx);
-    write_faces_csv_3(factors, written_outlines(table, prepared.blockers().vertices()),
+    write_faces_csv_3(factors, written_outlines(table, prepared.occluders().vertices()),
                       [&output](std::string_view text) { output.faces.write(text); });
   });
 }

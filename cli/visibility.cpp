@@ -17,23 +17,23 @@
 #include "geometry/plane/check/face_cover.h"
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/visibility/critical_points.h"
-#include "geometry/plane/visibility/edge_sight.h"
-#include "geometry/plane/visibility/point_sight.h"
+#include "geometry/plane/visibility/point_view.h"
 #include "geometry/plane/visibility/visibility_polygons.h"
+#include "geometry/plane/visibility/weak_visibility.h"
+#include "io/external/oriented_points.h"
+#include "io/external/plane/point_list.h"
+#include "io/external/space/point_list.h"
 #include "io/files/text_file.h"
-#include "io/foreign/oriented_points.h"
-#include "io/foreign/plane/point_list.h"
-#include "io/foreign/space/point_list.h"
 #include "io/results/plane/edge_report.h"
 #include "io/results/plane/polygon_files.h"
 #include "io/results/plane/visibility_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/counted.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/naming_file.h"
 #include "kernel/support/parallel.h"
+#include "kernel/support/with_file_context.h"
 #include "solver/plane/light/point_lights.h"
-#include "solver/plane/simulation/questions.h"
+#include "solver/plane/simulation/queries.h"
 #include "solver/plane/simulation/simulation.h"
 #include "solver/space/simulation/simulation.h"
 #include "viewer/picture/plane/drawable.h"
@@ -66,7 +66,7 @@ Simulation2 simulation_of(const VisibilityOptions& options, const Streams& strea
 
 ShownAnswer from_point(const Simulation2& simulation, const PreparedScene2& prepared, const Point2& eye,
                        const Streams& streams) {
-  const PointSight2 sight = point_sight(prepared, eye);
+  const PointView2 sight = point_view(prepared, eye);
   std::optional<PointLight2> light;
   if (sight.polygon.solid == Solids2::kNone) light = light_at(simulation, sight.polygon, streams.stages());
   return {point_answer(prepared, sight, light), [&prepared, polygon = sight.polygon](PictureFormat format) {
@@ -82,7 +82,7 @@ ShownAnswer from_face(const PreparedScene2& prepared, const std::string& name, c
   return {face_point_answer(prepared, name, face, t, point_factors_by_face(prepared, face, t)),
           [&prepared, face, t](PictureFormat format) {
             const Point2 eye = point_at(prepared.scene.edges[face.surface], t);
-            return visibility_picture_2(prepared, drawing_of(point_sight(prepared, eye).polygon), format);
+            return visibility_picture_2(prepared, drawing_of(point_view(prepared, eye).polygon), format);
           }};
 }
 
@@ -259,7 +259,8 @@ ExitCode from_points(const VisibilityOptions& options, Streams& streams) {
   if (options.irradiance) lights.emplace(point_lights(simulation, streams.stages()));
   OutputFile file = streams.output(options.out);
   try {
-    naming_file(options.scene, [&] { write_polygons(request, *prepared, lights ? &*lights : nullptr, streams, file); });
+    with_file_context(options.scene,
+                      [&] { write_polygons(request, *prepared, lights ? &*lights : nullptr, streams, file); });
     file.commit();
   } catch (const ReaderGone&) {  // nobody reads on
   }
@@ -277,7 +278,7 @@ ExitCode from_edge(const VisibilityOptions& options, Streams& streams) {
   const auto prepared = simulation_of(std::get<Scene2>(std::move(scene))).prepared(streams.stages());
   const Face face = face_of(prepared->scene, options.edge);
   require_free(*prepared, face);
-  const EdgeSight2 sight = edge_sight(*prepared, face, streams.progress("weak visibility"));
+  const WeakVisibility2 sight = weak_visibility(*prepared, face, streams.progress("weak visibility"));
   const VisibilityAnswer answer = edge_answer(*prepared, options.edge, sight);
   streams.write("", options.json ? answer.json : answer.text);
   return ExitCode::kDone;

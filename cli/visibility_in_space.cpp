@@ -13,12 +13,12 @@
 #include "geometry/space/exchange/pair_report.h"
 #include "geometry/space/scene/scene.h"
 #include "geometry/space/visibility/point_bounds.h"
-#include "geometry/space/visibility/point_map.h"
 #include "geometry/space/visibility/seen_faces.h"
+#include "geometry/space/visibility/visibility_map.h"
 #include "io/results/space/map_report.h"
 #include "io/results/space/pair_answer.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/naming_file.h"
+#include "kernel/support/with_file_context.h"
 #include "solver/space/simulation/simulation.h"
 #include "viewer/picture/space/map_picture.h"
 
@@ -123,19 +123,20 @@ void refuse_lost_place(const Scene3& scene, const Arrangement3& arrangement, con
 
 // What is seen, by faces, and where that is asked for its proven bounds.
 struct SeenFrom3 {
-  PointMap3 map;
+  VisibilityMap3 map;
   std::optional<PointBounds3> bounds;
 };
 
 SeenFrom3 seen_from(const Look3& look, const Arrangement3& arrangement, bool proves) {
-  const Blockers3 blockers(arrangement.polygons());
+  const Occluders3 occluders(arrangement.polygons());
   if (look.normal) {
-    SeenFrom3 seen{with_owners(map_from(blockers, look), arrangement), {}};
-    if (proves) seen.bounds = point_bounds(ExactMap3(blockers, look.eye), arrangement, *look.normal - Point3{});
+    SeenFrom3 seen{with_owners(map_from(occluders, look), arrangement), {}};
+    if (proves)
+      seen.bounds = point_bounds(ExactVisibilityMap3(occluders, look.eye), arrangement, *look.normal - Point3{});
     return seen;
   }
-  if (!proves) return {faces_seen_from(look.eye, blockers, arrangement), {}};
-  const ExactMap3 exact(blockers, look.eye);
+  if (!proves) return {faces_seen_from(look.eye, occluders, arrangement), {}};
+  const ExactVisibilityMap3 exact(occluders, look.eye);
   return {faces_seen_from(look.eye, exact.map(), arrangement), point_bounds(exact, arrangement)};
 }
 
@@ -167,7 +168,7 @@ VisibilityAnswer pair_in_space(const Simulation3& simulation, const std::string&
     return name == "sky" ? std::nullopt : std::optional(face_of(scene, name));
   };
   const std::optional<Face> face_from = face_or_sky(from), face_to = face_or_sky(to);
-  return naming_file(scene.file, [&] {
+  return with_file_context(scene.file, [&] {
     const double tolerance = simulation.request().factors.tolerance;
     const PairReport3 report = pair_report(*simulation.prepared(), face_from, face_to, tolerance, proves);
     if (proves && !report.is_enclosed())

@@ -18,9 +18,9 @@ class UnmeasuredPairs : public RequestError {
   std::size_t count_;
 };
 
-// As naming_file does, and these stay what they are.
+// As with_file_context does, and these stay what they are.
 template <class Work>
-auto naming_file_of_pairs(const std::string& file, const Work& work) {
+auto with_file_context_of_pairs(const std::string& file, const Work& work) {
   const auto named = [&](const char* text) { return file.empty() ? std::string(text) : file + ": " + text; };
   try {
     return work();

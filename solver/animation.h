@@ -16,7 +16,7 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/stage.h"
 #include "kernel/support/stopwatch.h"
-#include "solver/kept_report.h"
+#include "solver/cached_report.h"
 #include "solver/refinement.h"
 #include "solver/store.h"
 

@@ -56,16 +56,16 @@ MemoryEstimate::MemoryEstimate(std::vector<CountedFace> faces, const MemoryQuest
   known_pairs_ = are_known ? pairs_ : 0;
   peak_ = of_factors_ + pairs_ * bytes.pair;
   of_factors_ += known_pairs_ * bytes.pair;
-  add_solution(counts, question, bytes.kept_pair);
+  add_solution(counts, question, bytes.cached_pair);
 }
 
-void MemoryEstimate::add_solution(const ElementPairCounts& counts, const MemoryQuestion& question, double kept_pair) {
+void MemoryEstimate::add_solution(const ElementPairCounts& counts, const MemoryQuestion& question, double cached_pair) {
   const double elements = stages_[0].bytes;
   const auto add = [&](const char* name, double count, const char* unit, double bytes, double known_bytes) {
     if (count == 0) return;
     stages_.push_back({name, count, unit, bytes});
-    peak_ = std::max(peak_, elements + pairs_ * kept_pair + bytes);
-    of_solution_ = std::max(of_solution_, elements + known_pairs_ * kept_pair + known_bytes);
+    peak_ = std::max(peak_, elements + pairs_ * cached_pair + bytes);
+    of_solution_ = std::max(of_solution_, elements + known_pairs_ * cached_pair + known_bytes);
   };
   if (question.solves) {
     const auto bytes_with = [&](double pairs) {

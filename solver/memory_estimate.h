@@ -32,7 +32,7 @@ struct MemoryStage {
 // What the tables of a dimension take at the most, in bytes: an element; a visible pair while it is measured, and in
 // the matrix.
 struct TableBytes {
-  double element = 0, pair = 0, kept_pair = 0;
+  double element = 0, pair = 0, cached_pair = 0;
 };
 
 // About how many of the pairs of faces see each other, as sampled_pairs tells.
@@ -59,7 +59,7 @@ class MemoryEstimate {
   double peak() const { return peak_; }
 
  private:
-  void add_solution(const ElementPairCounts& counts, const MemoryQuestion& question, double kept_pair);
+  void add_solution(const ElementPairCounts& counts, const MemoryQuestion& question, double cached_pair);
 
   std::vector<MemoryStage> stages_;
   double of_factors_ = 0, of_solution_ = 0, peak_ = 0;

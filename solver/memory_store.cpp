@@ -11,35 +11,35 @@ class MemoryStore final : public FactorStore {
  public:
   explicit MemoryStore(std::uint64_t bytes) : most_(bytes) {}
 
-  std::vector<KeptRows> read(const StoreTable& table, std::uint32_t what) override {
+  std::vector<CachedRows> read(const StoreTable& table, std::uint32_t what) override {
     const std::lock_guard lock(mutex_);
-    std::vector<KeptRows> result;
+    std::vector<CachedRows> result;
     const auto kept = lists_.find(table.key);
     if (kept == lists_.end()) return result;
     std::unordered_map<std::string, std::uint32_t> place;
     for (std::uint32_t i = 0; i < table.elements.size(); ++i) place.emplace(table.elements[i], i);
     for (const List& list : kept->second) {
       if ((list.what & what) != what) continue;
-      KeptRows& rows = result.emplace_back();
+      CachedRows& rows = result.emplace_back();
       for (const std::string& element : list.elements) {
         const auto found = place.find(element);
-        rows.place.push_back(found == place.end() ? KeptRows::kNoPlace : found->second);
+        rows.place.push_back(found == place.end() ? CachedRows::kNoPlace : found->second);
       }
       const bool is_same_list = list.elements == table.elements;
       rows.place.push_back(static_cast<std::uint32_t>(table.elements.size()));
-      for (const KeptRow& row : list.rows) {
+      for (const CachedRow& row : list.rows) {
         const bool is_of_all = row.row == list.elements.size();  // what is kept of all rows together
-        if (is_of_all ? is_same_list : rows.place[row.row] != KeptRows::kNoPlace) rows.rows.push_back(row);
+        if (is_of_all ? is_same_list : rows.place[row.row] != CachedRows::kNoPlace) rows.rows.push_back(row);
       }
       if (rows.rows.empty()) result.pop_back();
     }
     return result;
   }
 
-  void keep(const StoreTable& table, std::uint32_t what, std::span<const KeptRow> rows) override {
+  void keep(const StoreTable& table, std::uint32_t what, std::span<const CachedRow> rows) override {
     const std::lock_guard lock(mutex_);
     List list{table.elements, what, {rows.begin(), rows.end()}, order_++, 0};
-    for (const KeptRow& row : rows)
+    for (const CachedRow& row : rows)
       list.bytes += row.numbers.size() + row.to.size() * sizeof(row.to[0]) + row.known.size() * sizeof(row.known[0]);
     bytes_ += list.bytes;
     lists_[table.key].push_back(std::move(list));
@@ -70,7 +70,7 @@ class MemoryStore final : public FactorStore {
   struct List {
     std::vector<std::string> elements;
     std::uint32_t what;
-    std::vector<KeptRow> rows;
+    std::vector<CachedRow> rows;
     std::uint64_t order, bytes;
   };
 

@@ -36,18 +36,18 @@ std::vector<std::string> element_ids(const std::vector<Element>& elements);
 //   (2) `to` ascends and lies in `known`; `numbers` has what is kept of each entry, one after the other, as whoever
 //       wrote it reads it
 //   (3) the row of the sky, which has no pairs, holds what is kept of all rows together, if anything
-struct KeptRow {
+struct CachedRow {
   std::uint32_t row = 0;
   std::vector<ColumnRange> known;
   std::vector<std::uint32_t> to;
   std::string numbers;
-  friend bool operator==(const KeptRow&, const KeptRow&) = default;
+  friend bool operator==(const CachedRow&, const CachedRow&) = default;
 };
 
 // Rows of elements of this table or another one of the same key.
-struct KeptRows {
+struct CachedRows {
   std::vector<std::uint32_t> place;  // of each kept element, then of the sky, in the table that asks, or kNoPlace
-  std::vector<KeptRow> rows;         // row and columns are indices into `place`
+  std::vector<CachedRow> rows;       // row and columns are indices into `place`
   static constexpr std::uint32_t kNoPlace = 0xffffffff;
 };
 
@@ -68,9 +68,9 @@ class FactorStore {
 
   // Returns all rows kept under the key for some element of the table that have at least the bits of `what`, whose
   // meaning is up to whoever keeps factors.
-  virtual std::vector<KeptRows> read(const StoreTable& table, std::uint32_t what) = 0;
+  virtual std::vector<CachedRows> read(const StoreTable& table, std::uint32_t what) = 0;
   // Keeps rows of the elements of the table. What there is no room for is not kept.
-  virtual void keep(const StoreTable& table, std::uint32_t what, std::span<const KeptRow> rows) = 0;
+  virtual void keep(const StoreTable& table, std::uint32_t what, std::span<const CachedRow> rows) = 0;
   // Takes out all that is kept of the key.
   virtual void forget(const StoreTable& table) = 0;
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/foreign/oriented_points.h"
+#include "io/external/oriented_points.h"
 #include "solver/radiosity/oriented_light.h"
 
 namespace hottel {

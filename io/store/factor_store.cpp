@@ -45,7 +45,7 @@ std::optional<List> list_of(const Statement& asked) {
 // A row as it stands in a statement that asks for row, what, body, sum from the given column on.
 struct FoundRow {
   std::uint32_t what = 0;
-  KeptRow row;
+  CachedRow row;
 };
 std::optional<FoundRow> row_of_statement(const Statement& asked, int first, const std::string& of_list,
                                          std::uint32_t elements) {
@@ -77,12 +77,12 @@ class SqliteStore final : public FactorStore {
  public:
   explicit SqliteStore(const std::filesystem::path& file) : database_(file, MayCreate::kYes) {}
 
-  std::vector<KeptRows> read(const StoreTable& table, std::uint32_t what) override {
+  std::vector<CachedRows> read(const StoreTable& table, std::uint32_t what) override {
     const std::lock_guard lock(mutex_);
     std::unordered_map<std::string_view, std::uint32_t> place;
     for (std::uint32_t i = 0; i < table.elements.size(); ++i) place.emplace(table.elements[i], i);
     const auto sky = static_cast<std::uint32_t>(table.elements.size());
-    std::vector<KeptRows> result;
+    std::vector<CachedRows> result;
     std::vector<std::int64_t> used;
     {
       Transaction transaction(database_, false);
@@ -96,11 +96,11 @@ class SqliteStore final : public FactorStore {
           use_.damaged += damaged_lists_.insert(lists.number(0)).second ? 1 : 0;
           continue;
         }
-        KeptRows kept;
+        CachedRows kept;
         bool is_any = false;
         for (const std::string& element : *elements) {
           const auto there = place.find(element);
-          kept.place.push_back(there == place.end() ? KeptRows::kNoPlace : there->second);
+          kept.place.push_back(there == place.end() ? CachedRows::kNoPlace : there->second);
           is_any = is_any || there != place.end();
         }
         kept.place.push_back(sky);
@@ -114,7 +114,7 @@ class SqliteStore final : public FactorStore {
     return result;
   }
 
-  void keep(const StoreTable& table, std::uint32_t what, std::span<const KeptRow> rows) override {
+  void keep(const StoreTable& table, std::uint32_t what, std::span<const CachedRow> rows) override {
     const std::lock_guard lock(mutex_);
     std::size_t next = 0;
     const std::uint64_t limit = limit_of(database_);
@@ -126,7 +126,7 @@ class SqliteStore final : public FactorStore {
       const std::string sum = list.sum();
       Statement insert = database_.statement("INSERT INTO rows(list, row, what, body, sum) VALUES(?1, ?2, ?3, ?4, ?5)");
       for (std::size_t bytes = 0; next < rows.size() && bytes < kBytesOfATransaction; ++next) {
-        const KeptRow& row = rows[next];
+        const CachedRow& row = rows[next];
         const std::string body = record_of(row);
         insert.bind(1, list.id).bind(2, std::int64_t{row.row}).bind(3, std::int64_t{what});
         insert.bind(4, body).bind(5, sum_of_row(sum, row.row, what, body)).run();
@@ -165,7 +165,7 @@ class SqliteStore final : public FactorStore {
   }
 
  private:
-  void read_rows(const List& list, std::uint32_t what, KeptRows& kept) {
+  void read_rows(const List& list, std::uint32_t what, CachedRows& kept) {
     const std::string of_list = list.sum();
     const auto elements = static_cast<std::uint32_t>(kept.place.size() - 1);
     Statement rows = database_.statement("SELECT id, row, what, body, sum FROM rows WHERE list = ?1 ORDER BY id");
@@ -176,7 +176,7 @@ class SqliteStore final : public FactorStore {
         use_.damaged += damaged_rows_.insert(rows.number(0)).second ? 1 : 0;
         continue;
       }
-      if ((found->what & what) == what && kept.place[found->row.row] != KeptRows::kNoPlace)
+      if ((found->what & what) == what && kept.place[found->row.row] != CachedRows::kNoPlace)
         kept.rows.push_back(std::move(found->row));
     }
   }

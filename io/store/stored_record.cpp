@@ -29,7 +29,7 @@ std::optional<std::uint64_t> take_number(std::string_view& text) {
 
 }  // namespace
 
-std::string record_of(const KeptRow& row) {
+std::string record_of(const CachedRow& row) {
   std::string out;
   append_number(out, row.known.size());
   std::uint32_t last = 0;
@@ -47,8 +47,8 @@ std::string record_of(const KeptRow& row) {
   return out + row.numbers;
 }
 
-std::optional<KeptRow> row_of(std::uint32_t row, std::string_view record, std::uint32_t elements) {
-  KeptRow result{.row = row, .known = {}, .to = {}, .numbers = {}};
+std::optional<CachedRow> row_of(std::uint32_t row, std::string_view record, std::uint32_t elements) {
+  CachedRow result{.row = row, .known = {}, .to = {}, .numbers = {}};
   const std::uint64_t most = std::uint64_t{elements} + 1;
   const auto ranges = take_number(record);
   if (!ranges || *ranges > most) return std::nullopt;

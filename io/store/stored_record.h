@@ -13,8 +13,8 @@ namespace hottel {
 
 // Returns the ranges, columns and numbers of a row, whole numbers by 7 bits a byte, and reads them again; nothing for
 // bytes that are no row of so many elements.
-std::string record_of(const KeptRow& row);
-std::optional<KeptRow> row_of(std::uint32_t row, std::string_view record, std::uint32_t elements);
+std::string record_of(const CachedRow& row);
+std::optional<CachedRow> row_of(std::uint32_t row, std::string_view record, std::uint32_t elements);
 
 // Texts with their lengths, one after the other, and again; nothing for bytes that are none.
 std::string joined(std::span<const std::string> texts);

@@ -20,7 +20,7 @@
 #include "solver/plane/check/scene_repair.h"
 #include "solver/plane/simulation/simulation.h"
 #include "solver/space/check/scene_repair.h"
-#include "solver/space/simulation/questions.h"
+#include "solver/space/simulation/queries.h"
 #include "solver/space/simulation/simulation.h"
 
 namespace hottel::python {

@@ -4,12 +4,12 @@
 #include <utility>
 
 #include "geometry/closed_promise.h"
-#include "io/foreign/foreign_method.h"
-#include "io/foreign/plane/foreign_matrix.h"
-#include "io/foreign/space/foreign_matrix.h"
+#include "io/external/external_method.h"
+#include "io/external/plane/external_matrix.h"
+#include "io/external/space/external_matrix.h"
 #include "io/results/grid_report.h"
 #include "kernel/support/failure.h"
-#include "python/bindings/foreign_array.h"
+#include "python/bindings/external_array.h"
 #include "python/bindings/judgement.h"
 #include "python/bindings/light_request.h"
 #include "solver/plane/compare/pair_explanation.h"
@@ -25,13 +25,13 @@ namespace {
 // What comparing needs of each dimension.
 struct ComparedPlane {
   using Method = ExchangeMethod2;
-  using Foreign = FromMatrix<ElementMethod2, PreparedScene2>;
+  using External = FromMatrix<ElementMethod2, PreparedScene2>;
   using Explainer = PairExplainer2;
   static MethodCatalogue2 methods() { return all_methods_2(); }
 };
 struct ComparedSpace {
   using Method = ExchangeMethod3;
-  using Foreign = FromMatrix<ElementMethod3, PreparedScene3>;
+  using External = FromMatrix<ElementMethod3, PreparedScene3>;
   using Explainer = PairExplainer3;
   static MethodCatalogue3 methods() { return all_methods_3(); }
 };
@@ -48,7 +48,7 @@ static_assert(kFaults.size() == static_cast<std::size_t>(Fault::kEmission) + 1);
 // What is asked of a comparison; of a method its name, of others a matrix.
 struct CompareKeywords {
   std::string method;
-  std::optional<ForeignMatrix> matrix;
+  std::optional<ExternalMatrix> matrix;
   double beyond = 1e-6;
   std::optional<int> repeat;
   std::size_t worst = 10;
@@ -67,7 +67,7 @@ template <class Comparison>
 MethodResult run(const Comparison& comparison, const CompareKeywords& asked) {
   using Kind = Compared<Comparison>;
   if (!asked.matrix) return comparison.run(*Kind::methods().make(asked.method), asked.repeat);
-  MethodResult result = comparison.run(typename Kind::Foreign(*asked.matrix), 1);
+  MethodResult result = comparison.run(typename Kind::External(*asked.matrix), 1);
   if (result.errors.pairs == 0 && comparison.exact().entry_count() > 0)
     throw InputError({kArray, 0}, "holds no factor of any face: there is nothing to judge");
   result.info.name = kArray;
@@ -137,7 +137,7 @@ PythonJudgement compare(PythonSimulation& simulation, const py::object& what, co
         },
         simulation.simulation());
   } else {
-    asked.matrix = foreign_matrix(what, names);
+    asked.matrix = external_matrix(what, names);
   }
   const auto comparison = simulation.comparison();
   Outcome found = simulation.waited([&](const AnySimulation&, const StageProgress&) {
@@ -150,7 +150,7 @@ PythonJudgement compare(PythonSimulation& simulation, const py::object& what, co
 }
 
 // By channel, then by element: values are of elements with a row, in order.
-std::vector<std::vector<double>> by_channel(const ForeignArray& array, const ExchangeMatrix& matrix,
+std::vector<std::vector<double>> by_channel(const ExternalArray& array, const ExchangeMatrix& matrix,
                                             std::size_t channels) {
   std::vector<std::uint32_t> rows;
   for (std::uint32_t i = 0; i < matrix.size(); ++i)
@@ -172,7 +172,7 @@ std::vector<std::vector<double>> by_channel(const ForeignArray& array, const Exc
 
 PythonRadiosityJudgement compare_radiosities(PythonSimulation& simulation, const py::object& values, double beyond) {
   require_beyond(beyond);
-  const ForeignArray array = foreign_array(values);
+  const ExternalArray array = external_array(values);
   const auto comparison = simulation.comparison();
   return std::visit(
       [&](const auto& each) {
@@ -210,7 +210,7 @@ ExactGrid exact_grid(const MethodComparison3& comparison, const Simulation3& ask
 PythonGridJudgement compare_grid(PythonSimulation& simulation, const py::object& values, const py::object& over,
                                  double beyond) {
   require_beyond(beyond);
-  const ForeignArray array = foreign_array(values);
+  const ExternalArray array = external_array(values);
   const std::vector<std::size_t>& shape = array.shape;
   if (shape.size() != 2 && shape.size() != 3)
     throw InputError({kArray, 0}, "of light has the shape (ny, nx) or (ny, nx, channels)");

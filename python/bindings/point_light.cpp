@@ -6,7 +6,7 @@
 #include "python/bindings/parts.h"
 #include "solver/plane/light/oriented_lights.h"
 #include "solver/plane/light/point_lights.h"
-#include "solver/plane/simulation/questions.h"
+#include "solver/plane/simulation/queries.h"
 #include "solver/space/light/oriented_lights.h"
 
 namespace hottel::python {

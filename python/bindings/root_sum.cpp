@@ -10,7 +10,7 @@
 #include "kernel/support/failure.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/numbers.h"
-#include "solver/plane/simulation/questions.h"
+#include "solver/plane/simulation/queries.h"
 
 namespace hottel::python {
 namespace {

@@ -17,7 +17,7 @@
 #include "python/bindings/simulation_options.h"
 #include "python/bindings/visible.h"
 #include "python/bindings/visible_map.h"
-#include "solver/plane/simulation/questions.h"
+#include "solver/plane/simulation/queries.h"
 #include "solver/radiosity/gray_exchange.h"
 #include "solver/store.h"
 

@@ -6,9 +6,9 @@
 #include "geometry/near_names.h"
 #include "geometry/plane/scene/division.h"
 #include "geometry/space/scene/division.h"
-#include "io/foreign/foreign_method.h"
-#include "io/foreign/plane/foreign_matrix.h"
-#include "io/foreign/space/foreign_matrix.h"
+#include "io/external/external_method.h"
+#include "io/external/plane/external_matrix.h"
+#include "io/external/space/external_matrix.h"
 #include "io/store/factor_store.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/simulation/refined.h"
@@ -156,7 +156,7 @@ std::shared_ptr<const AnySimulation> refined_by(const SimulationOptions& options
 
 std::shared_ptr<FactorStore> store_of(const SimulationOptions& options) {
   if (!options.store) return nullptr;
-  if (is_foreign(options.method))
+  if (is_external(options.method))
     throw UsageError("store keeps what hottel computes, not the factors of " + options.method);
   return open_factor_store(*options.store);
 }

@@ -30,15 +30,15 @@ class Places {
   std::map<std::size_t, std::int32_t> known_;
 };
 
-void append(const PointMap3& map, Places& places, MapLists& lists) {
-  for (const PointMap3::Share& share : map.shares) {
+void append(const VisibilityMap3& map, Places& places, MapLists& lists) {
+  for (const VisibilityMap3::Share& share : map.shares) {
     lists.face.push_back(places.of(share.face));
     lists.fraction.push_back(share.fraction);
   }
-  for (const PointMap3::Fragment& fragment : map.fragments) {
+  for (const VisibilityMap3::Fragment& fragment : map.fragments) {
     lists.piece_face.push_back(places.of(fragment.face));
     for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) {
-      const PointMap3::Corner& corner = map.corners[c];
+      const VisibilityMap3::Corner& corner = map.corners[c];
       lists.directions.insert(lists.directions.end(), {corner.direction.x, corner.direction.y, corner.direction.z});
       lists.xyz.insert(lists.xyz.end(), {corner.x, corner.y, corner.z});
     }
@@ -51,17 +51,17 @@ void append(const PointMap3& map, Places& places, MapLists& lists) {
 MapLists map_lists(const PreparedScene3& prepared, const PythonPoints& points, const StageProgress& progress) {
   constexpr std::size_t kPart = 64;
   const Arrangement3& arrangement = prepared.arrangement();
-  const Blockers3 blockers(arrangement.polygons());
+  const Occluders3 occluders(arrangement.polygons());
   MapLists lists;
   Places places(prepared.scene, lists.names);
   for (std::size_t first = 0; first < points.size(); first += kPart) {
     const std::size_t end = std::min(points.size(), first + kPart);
-    std::vector<std::optional<PointMap3>> maps(end - first);
+    std::vector<std::optional<VisibilityMap3>> maps(end - first);
     parallel_for(end - first, [&](std::size_t k) {
       const Point3 eye = points.in_space(first + k);
-      if (!arrangement.solids().around(eye)) maps[k] = faces_seen_from(eye, blockers, arrangement);
+      if (!arrangement.solids().around(eye)) maps[k] = faces_seen_from(eye, occluders, arrangement);
     });
-    for (const std::optional<PointMap3>& map : maps) {
+    for (const std::optional<VisibilityMap3>& map : maps) {
       if (map) append(*map, places, lists);
       lists.sky.push_back(map ? std::max(0.0, map->sky_fraction) : std::numeric_limits<double>::quiet_NaN());
       lists.begin.push_back(static_cast<std::int64_t>(lists.face.size()));

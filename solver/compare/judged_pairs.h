@@ -1,4 +1,4 @@
-// The pairs of a foreign matrix beside the exact ones, and which of them are off.
+// The pairs of an external matrix beside the exact ones, and which of them are off.
 #pragma once
 
 #include <cstdint>

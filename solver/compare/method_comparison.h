@@ -105,7 +105,7 @@ class MethodComparison {
   }
 
   const Prepared& prepared() const { return *prepared_; }
-  const ExchangeMatrix& exact() const { return *exact_; }  // with visibilities
+  const ExchangeMatrix& exact() const { return *exact_; }             // with visibilities
   const std::vector<LightShares>& lights() const { return lights_; }  // of the elements of exact()
   const ReferenceErrors& reference() const { return reference_; }
   const std::optional<RadiositySolution>& exact_solution() const { return exact_solution_; }

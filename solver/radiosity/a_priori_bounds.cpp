@@ -9,8 +9,8 @@
 
 #include "kernel/support/failure.h"
 #include "solver/radiosity/irradiance.h"
-#include "solver/radiosity/open_bounds.h"
 #include "solver/radiosity/printed_number.h"
+#include "solver/radiosity/unbounded_rows.h"
 
 namespace hottel {
 namespace {
@@ -71,7 +71,7 @@ void set_a_priori_bounds(const ExchangeMatrix& matrix, const std::vector<Spectru
                          const RadiositySources& sources, RadiositySolution& solution) {
   HOTTEL_REQUIRE(solution.guarantee != Guarantee::kEstimated);
   if (!sources.withdrawn.empty()) return;
-  const std::vector<std::string> before = notes_of_open_bounds(matrix, solution);
+  const std::vector<std::string> before = notes_of_unbounded_rows(matrix, solution);
   std::erase_if(solution.notes,
                 [&](const std::string& note) { return std::find(before.begin(), before.end(), note) != before.end(); });
   solution.max_relative_width = 0;
@@ -108,7 +108,7 @@ void set_a_priori_bounds(const ExchangeMatrix& matrix, const std::vector<Spectru
     if (is_any_moved) set_irradiances(matrix, sources, of, channel);
     solution.max_relative_width = std::max(solution.max_relative_width, channel.max_relative_width);
   }
-  for (std::string& note : notes_of_open_bounds(matrix, solution)) solution.notes.push_back(std::move(note));
+  for (std::string& note : notes_of_unbounded_rows(matrix, solution)) solution.notes.push_back(std::move(note));
 }
 
 }  // namespace hottel

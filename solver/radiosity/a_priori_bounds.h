@@ -24,7 +24,7 @@ namespace hottel {
 //   (3) where a radiosity is moved into its bounds the irradiances are summed anew
 //   (4) nothing is narrowed where sources are withdrawn: E is then no lower bound
 //   (5) of two bands only the solar one is narrowed
-//   (6) what the notes say of upper bounds that are missing (notes_of_open_bounds) is true of the bounds afterwards
+//   (6) what the notes say of upper bounds that are missing (notes_of_unbounded_rows) is true of the bounds afterwards
 // REQUIRES: the solution of `matrix` with these reflectivities (by material) and sources, proven of the scene: none of
 // its factors is estimated.
 void set_a_priori_bounds(const ExchangeMatrix& matrix, const std::vector<Spectrum>& reflectivity,

@@ -42,7 +42,7 @@ class ElementTemperatures {
   // Whether there is something to tell of it: it is warm, or insulated, or its net flux is given.
   bool is_known(std::uint32_t material) const { return is_known_[material] != 0; }
   // Of an element of this material in one channel, of two bands the thermal one, to which `solar` belongs; nothing
-  // where it has none, as where a foreign matrix makes a radiosity negative; nor where sigma T⁴ is below 0
+  // where it has none, as where an external matrix makes a radiosity negative; nor where sigma T⁴ is below 0
   // (coldest_below_zero). Bounds hold where those of the radiosity do.
   std::optional<BoundedTemperature> of(std::uint32_t material, const ElementRadiosity& element,
                                        const ElementRadiosity* solar = nullptr) const;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "solver/radiosity/approximate_inverse.h"
-#include "solver/radiosity/made_once.h"
+#include "solver/radiosity/lazy.h"
 
 namespace hottel {
 
@@ -35,7 +35,7 @@ class Elimination {
   const SymmetricRows& rows_;
   std::vector<std::vector<std::uint32_t>> members_;  // by component, in the order in which they are eliminated
   std::vector<std::uint32_t> place_;                 // by unknown: among the members of its component
-  std::vector<MadeOnce<DenseComponent>> eliminated_;
+  std::vector<Lazy<DenseComponent>> eliminated_;
 };
 
 }  // namespace hottel

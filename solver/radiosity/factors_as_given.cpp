@@ -15,7 +15,7 @@ namespace hottel {
 struct FactorsAsGiven::Group {
   std::vector<int> channels;
   std::vector<Rational> reflectivity;  // by material
-  KeptSystem kept;
+  CachedSystem kept;
 
   Group(const ExchangeMatrix& matrix, std::vector<int> of, std::vector<Rational> rho)
       : channels(std::move(of)), reflectivity(std::move(rho)), kept(matrix, reflectivity) {}

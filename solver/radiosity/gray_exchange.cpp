@@ -13,10 +13,10 @@
 #include "geometry/near_names.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
+#include "solver/radiosity/cached_inverses.h"
 #include "solver/radiosity/certificate.h"
 #include "solver/radiosity/factor_ends.h"
 #include "solver/radiosity/high_precision_elimination.h"
-#include "solver/radiosity/kept_inverses.h"
 #include "solver/radiosity/radiosity_options.h"
 #include "solver/radiosity/radiosity_system.h"
 
@@ -109,7 +109,7 @@ class GraySystem {
   RadiositySystem system_;
   HighPrecisionElimination elimination_;
   std::vector<ScaledBall> emissivity_;  // by material
-  KeptInverses inverses_;
+  CachedInverses inverses_;
   std::shared_ptr<const ApproximateInverse> inverse_;
   bool dies_out_ = true;
 };

@@ -5,7 +5,7 @@
 
 #include "kernel/enclosure.h"
 #include "solver/radiosity/certificate.h"
-#include "solver/radiosity/made_once.h"
+#include "solver/radiosity/lazy.h"
 #include "solver/radiosity/radiosity_system.h"
 
 namespace hottel {
@@ -45,7 +45,7 @@ class HighPrecisionElimination {
   const Component& eliminated(std::uint32_t component) const;
 
   const RadiositySystem& system_;
-  std::vector<MadeOnce<Component>> components_;
+  std::vector<Lazy<Component>> components_;
 };
 
 // Throws RequestError, naming a face, where an upper bound is infinite.

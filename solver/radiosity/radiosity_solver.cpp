@@ -8,10 +8,10 @@
 #include "kernel/support/stopwatch.h"
 #include "solver/radiosity/band_gains.h"
 #include "solver/radiosity/enclosed_radiosity.h"
-#include "solver/radiosity/faint_radiosities.h"
+#include "solver/radiosity/loose_bounds.h"
 #include "solver/radiosity/matrix_checks.h"
-#include "solver/radiosity/open_bounds.h"
 #include "solver/radiosity/signed_radiosity.h"
+#include "solver/radiosity/unbounded_rows.h"
 
 namespace hottel {
 namespace {
@@ -95,11 +95,11 @@ RadiositySolution RadiositySolver::solve(const RadiositySources& sources,
   RadiositySolution solution = parts_->solve(sources, options);
   solution.closure_defect = parts_->closure_defect;
   solution.reciprocity_defect = parts_->reciprocity_defect;
-  for (std::string& note : notes_of_open_bounds(matrix, solution)) solution.notes.push_back(std::move(note));
+  for (std::string& note : notes_of_unbounded_rows(matrix, solution)) solution.notes.push_back(std::move(note));
   if (matrix.guarantee() == Guarantee::kEstimated)
     solution.guarantee = Guarantee::kEstimated;
   else  // the faint radiosities of estimates are what they are: estimates
-    for (std::string& note : notes_of_faint_radiosities(matrix, solution)) solution.notes.push_back(std::move(note));
+    for (std::string& note : notes_of_loose_bounds(matrix, solution)) solution.notes.push_back(std::move(note));
   return solution;
 }
 

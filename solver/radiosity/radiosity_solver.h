@@ -30,7 +30,7 @@ namespace hottel {
 //       where factors or sources are enclosed a few ulps more than the radiosities differ that they allow, and infinite
 //       where for some factors light need not die out (enclosed_radiosity.h)
 //   (4) each component is bounded on its own scale, whatever shines elsewhere; a note names faces that remain wide
-//       relative to themselves (faint_radiosities.h)
+//       relative to themselves (loose_bounds.h)
 //   (5) irradiance is that of the radiosities as given, and D, so net() is what they exchange less D; where iterations
 //       were stopped early B = E + rho H holds within the residual only, and a note says so
 //   (6) emission is E, the middle of an enclosure; in the energy D counts as emitted

@@ -7,7 +7,7 @@
 
 #include "geometry/name.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/naming_file.h"
+#include "kernel/support/with_file_context.h"
 #include "solver/radiosity/a_priori_bounds.h"
 #include "solver/radiosity/element_temperatures.h"
 #include "solver/radiosity/matrix_checks.h"
@@ -44,7 +44,7 @@ RadiositySolution scene_radiosities(const RadiositySolver& system, const SceneTa
                                     const std::function<void(double)>& progress) {
   const ExchangeMatrix& matrix = system.matrix();
   std::optional<BeyondDoubles> beyond;
-  RadiositySolution result = naming_file(scene.file, [&] {
+  RadiositySolution result = with_file_context(scene.file, [&] {
     const RadiositySources sources = sources_of(matrix, scene, lights);
     for (std::string& note : lost_light_notes(scene.lights, lights)) notes.push_back(std::move(note));
     if (const auto note = black_in_solar_note(matrix, scene.materials)) notes.push_back(*note);

@@ -29,7 +29,7 @@ void take(const Correction& from, SplitVector& x) {
 
 }  // namespace
 
-SystemSolver::SystemSolver(const KeptSystem& kept, std::vector<char> is_wanted, const RadiosityOptions& options,
+SystemSolver::SystemSolver(const CachedSystem& kept, std::vector<char> is_wanted, const RadiosityOptions& options,
                            bool may_be_open, StageTimes& times)
     : kept_(kept), is_wanted_(std::move(is_wanted)), options_(options) {
   if (kept_.system.rows_are_closed())

@@ -8,23 +8,23 @@
 #include <vector>
 
 #include "kernel/support/stopwatch.h"
+#include "solver/radiosity/cached_inverses.h"
 #include "solver/radiosity/certificate.h"
 #include "solver/radiosity/high_precision_elimination.h"
-#include "solver/radiosity/kept_inverses.h"
 #include "solver/radiosity/radiosity_options.h"
 
 namespace hottel {
 
 // A system with all that is kept of it from one solution to the next.
-struct KeptSystem {
+struct CachedSystem {
   RadiositySystem system;
   HighPrecisionElimination wide;
-  KeptInverses inverses;
+  CachedInverses inverses;
 
-  KeptSystem(const ExchangeMatrix& matrix, const std::vector<Rational>& reflectivity)
+  CachedSystem(const ExchangeMatrix& matrix, const std::vector<Rational>& reflectivity)
       : system(matrix, reflectivity), wide(system), inverses(system) {}
-  KeptSystem(const KeptSystem&) = delete;
-  KeptSystem& operator=(const KeptSystem&) = delete;
+  CachedSystem(const CachedSystem&) = delete;
+  CachedSystem& operator=(const CachedSystem&) = delete;
 };
 
 // Seconds of stages, of several systems one after the other.
@@ -45,7 +45,7 @@ class SystemSolver {
  public:
   // Throws RequestError where the solver that was asked for needs a symmetric matrix and this is none, and, unless
   // bounds may be open, where light may not die out.
-  SystemSolver(const KeptSystem& kept, std::vector<char> is_wanted, const RadiosityOptions& options, bool may_be_open,
+  SystemSolver(const CachedSystem& kept, std::vector<char> is_wanted, const RadiosityOptions& options, bool may_be_open,
                StageTimes& times);
 
   Solver used() const { return used_; }
@@ -63,7 +63,7 @@ class SystemSolver {
   void run_as_named(const Sources& sources, SplitVector& x, std::vector<double>& history,
                     std::set<std::string>& notes) const;
 
-  const KeptSystem& kept_;
+  const CachedSystem& kept_;
   std::vector<char> is_wanted_;
   const RadiosityOptions& options_;
   std::shared_ptr<const ApproximateInverse> inverse_;

@@ -12,7 +12,7 @@
 #include "geometry/exchange_request.h"
 #include "geometry/space/exchange/facing.h"
 #include "geometry/space/exchange/pair_shares.h"
-#include "geometry/space/pairs/pair_measure.h"
+#include "geometry/space/pairs/pair_integrator.h"
 #include "geometry/space/prepared/element_table.h"
 #include "solver/plan.h"
 
@@ -81,7 +81,7 @@ class Sampling {
   explicit Sampling(const PreparedScene3& prepared)
       : prepared_(prepared),
         table_(*prepared.elements(is_divided(prepared.scene) ? Granularity::kElement : Granularity::kFace)),
-        shares_(table_, prepared.blockers().vertices(), ExchangeRequest().tolerance),
+        shares_(table_, prepared.occluders().vertices(), ExchangeRequest().tolerance),
         count_(table_.parts().size() - table_.parts(table_.sky()).size()) {}
 
   SampledCost3 result(bool wants_sky) const {
@@ -100,7 +100,7 @@ class Sampling {
   bool is_facing(const Pair& pair) const {
     return pair.a->patch.surface != pair.b->patch.surface &&
            (table_.has_row(pair.a->label) || table_.has_row(pair.b->label)) &&
-           surfaces_face_each_other(prepared_.blockers(), *pair.a, *pair.b);
+           surfaces_face_each_other(prepared_.occluders(), *pair.a, *pair.b);
   }
 
   // Calls it with all pairs of patches, or with some that are drawn; returns for how many each of these stands.
@@ -182,11 +182,11 @@ class Sampling {
   double cost_of(const Pair& pair) const {
     PairRequest3 request{.share = shares_.share(*pair.a, *pair.b), .effort = Effort3::kUsual};
     const auto measure = [&] { return prepared_.measurer().measure(pair.a->patch, pair.b->patch, request); };
-    const PairMeasure3 usual = measure();
+    const PairResult3 usual = measure();
     const double cost = plain_cost(pair) + seconds_of_looks_3(usual.nodes, usual.signs);
     if (usual.problem.empty()) return cost;
     request.effort = Effort3::kAll;
-    const PairMeasure3 more = measure();
+    const PairResult3 more = measure();
     return cost + seconds_of_looks_3(more.nodes, more.signs);
   }
 

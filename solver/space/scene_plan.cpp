@@ -36,7 +36,7 @@ constexpr std::size_t kMostLookedAt = 2000;
 class Faces {
  public:
   explicit Faces(const PreparedScene3& prepared)
-      : blockers_(prepared.blockers()), table_(*prepared.elements(Granularity::kFace)) {
+      : occluders_(prepared.occluders()), table_(*prepared.elements(Granularity::kFace)) {
     const Scene3& scene = prepared.scene;
     for (const Element& face : table_.elements()) {
       const Surface& surface = scene.surfaces[face.surface];
@@ -73,11 +73,11 @@ class Faces {
   double pairs_of(std::uint32_t i, std::uint32_t j) const {
     if (!table_.has_row(i) && !table_.has_row(j)) return 0;
     if (table_.parts(i).empty() || table_.parts(j).empty()) return 0;
-    if (!surfaces_face_each_other(blockers_, table_.parts(i).front(), table_.parts(j).front())) return 0;
+    if (!surfaces_face_each_other(occluders_, table_.parts(i).front(), table_.parts(j).front())) return 0;
     return parts_[i] * parts_[j];
   }
 
-  const Blockers3& blockers_;
+  const Occluders3& occluders_;
   const ElementTable3& table_;
   std::vector<double> parts_;  // elements by face
   std::uint64_t rows_ = 0;
@@ -118,11 +118,11 @@ void add_light(const Scene3& scene, const PlanRequest& request, std::uint64_t ro
 Plan plan_scene(const PreparedScene3& prepared, const PlanRequest& request, SkyBy sky) {
   const Scene3& scene = prepared.scene;
   const Arrangement3& arrangement = prepared.arrangement();
-  const Blockers3& blockers = prepared.blockers();
+  const Occluders3& occluders = prepared.occluders();
   const Faces faces(prepared);
   const bool is_plain = arrangement.is_plain(), is_empty = scene.surfaces.empty();
-  const bool is_room = is_plain && is_convex_room(scene, blockers);
-  const bool hides = !is_room && !(is_plain && faces_nothing(scene, blockers));
+  const bool is_room = is_plain && is_convex_room(scene, occluders);
+  const bool hides = !is_room && !(is_plain && faces_nothing(scene, occluders));
   const double pairs = faces.facing_pairs();
   const bool sees_sky = !is_room && (!scene.closed || request.everything);
   const SampledCost3 cost = hides || sees_sky ? sampled_cost(prepared, sees_sky) : SampledCost3();

@@ -335,7 +335,7 @@ TEST(Compare, RefusesGridsOfAnotherShapeThanTheScenes) {
   said("none.json", "none", 0);
 }
 
-TEST(Compare, DrawsWhereAForeignRadiosityIsWrong) {
+TEST(Compare, DrawsWhereAnExternalRadiosityIsWrong) {
   const Workplace place;
   ASSERT_EQ(place.run("hottel solve '" + kSquare + "' --grid 2x2 -o solved --quiet").code, 0);
   const Outcome outcome = place.run("hottel compare '" + kSquare +

@@ -4,15 +4,15 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "io/foreign/foreign_file.h"
+#include "io/external/external_file.h"
 #include "kernel/support/failure.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    const hottel::ForeignMatrix matrix =
-        hottel::parse_foreign_matrix("fuzz.matrix", std::string_view(reinterpret_cast<const char*>(data), size));
-    const hottel::ForeignEntry* last = nullptr;
-    for (const hottel::ForeignEntry& entry : matrix.entries) {
+    const hottel::ExternalMatrix matrix =
+        hottel::parse_external_matrix("fuzz.matrix", std::string_view(reinterpret_cast<const char*>(data), size));
+    const hottel::ExternalEntry* last = nullptr;
+    for (const hottel::ExternalEntry& entry : matrix.entries) {
       if (entry.row >= matrix.rows || entry.column >= matrix.columns) std::abort();
       if (!std::isfinite(entry.value) || entry.value == 0) std::abort();
       if (last && (entry.row < last->row || (entry.row == last->row && entry.column <= last->column))) std::abort();

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/foreign/plane/point_list.h"
+#include "io/external/plane/point_list.h"
 #include "kernel/support/failure.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

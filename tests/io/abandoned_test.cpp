@@ -13,8 +13,8 @@
 #include <fstream>
 #include <set>
 
+#include "io/external/external_command.h"
 #include "io/files/output_file.h"
-#include "io/foreign/foreign_command.h"
 #include "tests/temporary_folder.h"
 
 namespace hottel::abandoned::abandoned_test {

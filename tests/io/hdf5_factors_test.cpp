@@ -10,9 +10,9 @@
 
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/prepared/prepared_scene.h"
+#include "io/external/external_file.h"
 #include "io/files/hdf5.h"
 #include "io/files/text_file.h"
-#include "io/foreign/foreign_file.h"
 #include "io/results/factor_hdf5.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
@@ -42,7 +42,7 @@ class Hdf5Factors : public ::testing::Test {
   }
   std::string why(const std::string& bytes) const {
     try {
-      parse_foreign_matrix("f.h5", bytes);
+      parse_external_matrix("f.h5", bytes);
     } catch (const InputError& error) {
       return error.what();
     }
@@ -89,12 +89,12 @@ TEST_F(Hdf5Factors, AreReadAsAListOfAllNames) {
   const PreparedScene2 prepared = prepare(read_scene_2(kScenes + "showcase/apartment.json"));
   const ExchangeMatrix matrix = exact_exchange(prepared);
   written("f.h5", {prepared.scene, matrix});
-  const ForeignMatrix read = read_foreign_matrix(path("f.h5"));
+  const ExternalMatrix read = read_external_matrix(path("f.h5"));
   ASSERT_EQ(read.entries.size(), matrix.entry_count());
   EXPECT_EQ(read.rows, matrix.size() + 1);
   EXPECT_TRUE(read.is_list);
   for (std::uint32_t i = 0; i <= matrix.size(); ++i) EXPECT_EQ(read.row_names[i].name, matrix.name(i));
-  for (const ForeignEntry& entry : read.entries) EXPECT_EQ(entry.value, matrix.factor(entry.row, entry.column).value);
+  for (const ExternalEntry& entry : read.entries) EXPECT_EQ(entry.value, matrix.factor(entry.row, entry.column).value);
 }
 
 TEST_F(Hdf5Factors, TellWhichRowsTheyHave) {
@@ -102,7 +102,7 @@ TEST_F(Hdf5Factors, TellWhichRowsTheyHave) {
   const ExchangeMatrix matrix = exact_exchange(prepared);
   FactorTable table{prepared.scene, matrix};
   table.only_rows = {0};
-  const ForeignMatrix read = parse_foreign_matrix("f.h5", written("f.h5", table));
+  const ExternalMatrix read = parse_external_matrix("f.h5", written("f.h5", table));
   EXPECT_EQ(read.entries.size(), matrix.row(0).size());
   EXPECT_TRUE(read.has_row[0]);
   EXPECT_EQ(std::count(read.has_row.begin(), read.has_row.end(), 1), 1);
@@ -146,13 +146,13 @@ TEST_F(Hdf5Factors, LeaveZerosBehindTheLastEntry) {
 TEST_F(Hdf5Factors, OfNothingAreAFileToo) {
   const ExchangeMatrix matrix;
   const SceneTable scene;
-  const ForeignMatrix read = parse_foreign_matrix("f.h5", written("f.h5", {scene, matrix}));
+  const ExternalMatrix read = parse_external_matrix("f.h5", written("f.h5", {scene, matrix}));
   EXPECT_EQ(read.rows, 1u);
   EXPECT_TRUE(read.entries.empty());
 }
 
 TEST_F(Hdf5Factors, OfOthersNeedThreeArrays) {
-  const ForeignMatrix read = parse_foreign_matrix("f.h5", of_others({0, 1, 2}, {1, 0}, {0.5, 0.25}));
+  const ExternalMatrix read = parse_external_matrix("f.h5", of_others({0, 1, 2}, {1, 0}, {0.5, 0.25}));
   EXPECT_EQ(read.rows, 2u);
   EXPECT_FALSE(read.is_list);
   EXPECT_EQ(read.entries.at(1).value, 0.25);
@@ -174,7 +174,7 @@ TEST_F(Hdf5Factors, ThatAreDamagedAnywhereAreRefusedOrTheSame) {
   const PreparedScene2 prepared = prepare(read_scene_2(kScenes + "analytic/triangle_345.json"));
   const ExchangeMatrix matrix = exact_exchange(prepared);
   const std::string bytes = written("f.h5", {prepared.scene, matrix}, {2, "exact", "{}"});
-  const ForeignMatrix whole = parse_foreign_matrix("f.h5", bytes);
+  const ExternalMatrix whole = parse_external_matrix("f.h5", bytes);
   std::mt19937 random(3);
   std::size_t refused = 0;
   for (int k = 0; k < 1500; ++k) {
@@ -184,7 +184,7 @@ TEST_F(Hdf5Factors, ThatAreDamagedAnywhereAreRefusedOrTheSame) {
     else
       broken[random() % broken.size()] ^= static_cast<char>(1 << random() % 8);
     try {
-      const ForeignMatrix read = parse_foreign_matrix("f.h5", broken);
+      const ExternalMatrix read = parse_external_matrix("f.h5", broken);
       ASSERT_EQ(read.entries.size(), whole.entries.size());
       for (std::size_t e = 0; e < whole.entries.size(); ++e) EXPECT_EQ(read.entries[e].value, whole.entries[e].value);
     } catch (const InputError& error) {
@@ -205,7 +205,7 @@ TEST_F(Hdf5Factors, GoIntoRegularFilesOnly) {
 
 TEST(Hdf5Factors, AreRefusedWithoutHdf5) {
   EXPECT_THROW(require_hdf5("f.h5"), UsageError);
-  EXPECT_THROW(parse_foreign_matrix("f.h5", "\x89HDF\r\n\x1a\n..."), InputError);
+  EXPECT_THROW(parse_external_matrix("f.h5", "\x89HDF\r\n\x1a\n..."), InputError);
 }
 
 #endif

@@ -65,7 +65,7 @@ TEST_F(OutputFolderTest, APendingFolderGoesWithAllThatIsInIt) {
   fs::create_directories(root_ / "scratch/deep/deeper");
   fs::create_directories(root_ / "kept");
   for (int k = 0; k < 1000; ++k)
-    std::ofstream(root_ / "scratch" / ("a_file_of_a_foreign_program_" + std::to_string(k)));
+    std::ofstream(root_ / "scratch" / ("a_file_of_an_external_program_" + std::to_string(k)));
   std::ofstream(root_ / "scratch/deep/deeper/file") << "x";
   std::ofstream(root_ / "kept/file") << "x";
   fs::create_directory_symlink(root_ / "kept", root_ / "scratch/link");

@@ -1,5 +1,5 @@
 // Lists of points in csv, GeoJSON and well-known text: exact as typed, or refused with the line.
-#include "io/foreign/plane/point_list.h"
+#include "io/external/plane/point_list.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

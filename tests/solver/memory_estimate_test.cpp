@@ -13,7 +13,7 @@
 #include "geometry/plane/scene/division.h"
 #include "geometry/space/exchange/exchange_memory.h"
 #include "geometry/space/generate/generators.h"
-#include "geometry/space/pairs/pair_measure.h"
+#include "geometry/space/pairs/pair_integrator.h"
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/division.h"

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "kernel/support/failure.h"
-#include "solver/radiosity/made_once.h"
+#include "solver/radiosity/lazy.h"
 #include "solver/radiosity/printed_number.h"
 #include "solver/radiosity/scaled_ball.h"
 
@@ -113,8 +113,8 @@ TEST(PrintedNumbers, AreTheNearestDoublesAround) {
   EXPECT_EQ(printed.upper, 1);
 }
 
-TEST(MadeOnce, IsMadeByOneOfManyThreadsAndAnewAfterAFailure) {
-  const MadeOnce<int> value;
+TEST(Lazy, IsMadeByOneOfManyThreadsAndAnewAfterAFailure) {
+  const Lazy<int> value;
   EXPECT_THROW(value.get([]() -> std::unique_ptr<int> { throw std::runtime_error("not yet"); }), std::runtime_error);
   std::atomic<int> made{0};
   std::vector<std::thread> threads;

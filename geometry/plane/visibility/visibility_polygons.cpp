@@ -2,8 +2,8 @@
 
 #include <atomic>
 
-#include "geometry/plane/visibility/front_sight.h"
-#include "geometry/plane/visibility/point_sight.h"
+#include "geometry/plane/visibility/front_visibility.h"
+#include "geometry/plane/visibility/point_view.h"
 #include "geometry/plane/visibility/range_polygon.h"
 #include "geometry/plane/visibility/solid_around.h"
 #include "geometry/plane/visibility/visibility_polygon.h"

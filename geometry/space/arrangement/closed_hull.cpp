@@ -16,14 +16,14 @@ class SidesOfPlanes {
   struct Sides {
     bool has_front = false, has_behind = false;
   };
-  explicit SidesOfPlanes(const Blockers3& blockers) : blockers_(blockers) {}
+  explicit SidesOfPlanes(const Occluders3& occluders) : occluders_(occluders) {}
 
   // Of the plane of a polygon, as seen from it.
   Sides operator()(std::size_t s) {
-    const IntegerVector& normal = blockers_.exact_normal(s);
+    const IntegerVector& normal = occluders_.exact_normal(s);
     const bool is_turned = std::tie(normal.x, normal.y, normal.z) < std::make_tuple(0, 0, 0);
     const IntegerVector turned = is_turned ? opposite(normal) : normal;
-    const Integer height = dot(turned, blockers_.vertices().exact(blockers_.outline(s).front()));
+    const Integer height = dot(turned, occluders_.vertices().exact(occluders_.outline(s).front()));
     const auto [place, is_new] = known_.try_emplace({turned.x, turned.y, turned.z, height});
     if (is_new) {
       place->second = find(s);
@@ -38,16 +38,16 @@ class SidesOfPlanes {
   Sides find(std::size_t s) const {
     Sides result;
     SignTier tier;
-    const std::size_t count = blockers_.vertices().size();
+    const std::size_t count = occluders_.vertices().size();
     for (std::size_t v = 0; v < count && !(result.has_front && result.has_behind); ++v) {
-      const int side = blockers_.side_of(VertexId3(v), s, tier);
+      const int side = occluders_.side_of(VertexId3(v), s, tier);
       result.has_front |= side > 0;
       result.has_behind |= side < 0;
     }
     return result;
   }
 
-  const Blockers3& blockers_;
+  const Occluders3& occluders_;
   std::map<std::array<Integer, 4>, Sides> known_;
 };
 
@@ -56,18 +56,18 @@ class SidesOfPlanes {
 // Polygons with no vertex on one side lie on the boundary of the convex hull. Each taken in the sense in which it is
 // seen from inside, they cover every part of it equally often if their outlines cancel, for what is covered more often
 // than what is next to it has a border there: and so at least once. A polygon with vertices on both sides is within.
-ClosedHull3::ClosedHull3(const Blockers3& blockers) {
-  SidesOfPlanes sides(blockers);
-  const Vertices3& vertices = blockers.vertices();
+ClosedHull3::ClosedHull3(const Occluders3& occluders) {
+  SidesOfPlanes sides(occluders);
+  const Vertices3& vertices = occluders.vertices();
   OutlineSum3 outlines;
   bool has_wall = false;
-  for (std::size_t s = 0; s < blockers.size(); ++s) {
+  for (std::size_t s = 0; s < occluders.size(); ++s) {
     const auto [has_front, has_behind] = sides(s);
     fronts_.push_back(has_front);
     backs_.push_back(has_behind);
     if (!has_front && !has_behind) return;  // the scene is in one plane
     if (has_front && has_behind) continue;
-    const auto corners = blockers.outline(s);
+    const auto corners = occluders.outline(s);
     for (std::size_t k = 0; k < corners.size(); ++k)
       outlines.add(vertices.exact(corners[k]), vertices.exact(corners[(k + 1) % corners.size()]), has_front ? 1 : -1);
     has_wall = true;

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/space/arrangement/blockers.h"
+#include "geometry/space/arrangement/occluders.h"
 
 namespace hottel {
 
@@ -19,7 +19,7 @@ namespace hottel {
 // COST: a sign for each distinct plane and vertex at worst, few for polygons within; n log n for the outlines.
 class ClosedHull3 {
  public:
-  explicit ClosedHull3(const Blockers3& blockers);
+  explicit ClosedHull3(const Occluders3& occluders);
 
   bool is_closed() const { return is_closed_; }
   // Whether all polygons are walls with their fronts inward: one closed convex room.

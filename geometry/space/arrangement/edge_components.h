@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/space/arrangement/blockers.h"
+#include "geometry/space/arrangement/occluders.h"
 
 namespace hottel {
 
@@ -15,7 +15,7 @@ namespace hottel {
 // COST: linear.
 class EdgeComponents3 {
  public:
-  explicit EdgeComponents3(const Blockers3& blockers);
+  explicit EdgeComponents3(const Occluders3& occluders);
 
   const std::vector<std::vector<std::uint32_t>>& all() const { return all_; }
   std::uint32_t of_polygon(std::uint32_t polygon) const { return of_polygon_[polygon]; }

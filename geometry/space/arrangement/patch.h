@@ -9,13 +9,13 @@
 namespace hottel {
 
 // A convex plane polygon that sends out or receives light on one side: a face of a surface, or an element of a face; or
-// a part of the sky, or all of it. Patches hide nothing: what hides are surfaces, whole (Blockers3).
+// a part of the sky, or all of it. Patches hide nothing: what hides are surfaces, whole (Occluders3).
 //
 //   (1) corner k lies at corners[k] / weight in integer form (Vertices3), exactly; weight >= 0. Where the weight is 0
 //       corners are directions, and the patch is the part of the sky in the convex cone between them
 //   (2) seen from its front its corners run counter-clockwise; it has an area; no three in a row are on one line. Parts
 //       of the sky are seen from within
-//   (3) it lies within its surface, which is the polygon of that number of Blockers3; a part of the sky within none
+//   (3) it lies within its surface, which is the polygon of that number of Occluders3; a part of the sky within none
 //   (4) all of the sky has no corners
 struct Patch3 {
   static constexpr std::uint32_t kSky = 0xffffffff;

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "geometry/space/arrangement/blockers.h"
+#include "geometry/space/arrangement/occluders.h"
 
 namespace hottel {
 
@@ -41,20 +41,20 @@ struct Box3 {
 // For several threads at once.
 class SurfaceBoxes3 {
  public:
-  // REQUIRES that the blockers outlive this.
-  explicit SurfaceBoxes3(const Blockers3& blockers) : blockers_(&blockers) {
-    surfaces_.resize(blockers.size());
-    for (std::size_t s = 0; s < blockers.size(); ++s)
-      for (const VertexId3 v : blockers.outline(s)) surfaces_[s].include(blockers.vertices().approximate(v));
-    nodes_.resize(blockers.nodes().size());
+  // REQUIRES that the occluders outlive this.
+  explicit SurfaceBoxes3(const Occluders3& occluders) : occluders_(&occluders) {
+    surfaces_.resize(occluders.size());
+    for (std::size_t s = 0; s < occluders.size(); ++s)
+      for (const VertexId3 v : occluders.outline(s)) surfaces_[s].include(occluders.vertices().approximate(v));
+    nodes_.resize(occluders.nodes().size());
     // Children stand behind their parents.
     for (std::size_t n = nodes_.size(); n-- > 0;) {
-      const Blockers3::Node& node = blockers.nodes()[n];
+      const Occluders3::Node& node = occluders.nodes()[n];
       if (node.left != 0) {
         nodes_[n] = nodes_[node.left];
         nodes_[n].include(nodes_[node.right]);
       } else {
-        for (std::uint32_t k = node.begin; k < node.end; ++k) nodes_[n].include(surfaces_[blockers.order()[k]]);
+        for (std::uint32_t k = node.begin; k < node.end; ++k) nodes_[n].include(surfaces_[occluders.order()[k]]);
       }
     }
   }
@@ -82,17 +82,17 @@ class SurfaceBoxes3 {
   template <class IsSo>
   void find_where(std::uint32_t n, const IsSo& is_so, std::vector<std::uint32_t>& found) const {
     if (!is_so(nodes_[n])) return;
-    const Blockers3::Node& node = blockers_->nodes()[n];
+    const Occluders3::Node& node = occluders_->nodes()[n];
     if (node.left != 0) {
       find_where(node.left, is_so, found);
       find_where(node.right, is_so, found);
       return;
     }
     for (std::uint32_t k = node.begin; k < node.end; ++k)
-      if (const std::uint32_t s = blockers_->order()[k]; is_so(surfaces_[s])) found.push_back(s);
+      if (const std::uint32_t s = occluders_->order()[k]; is_so(surfaces_[s])) found.push_back(s);
   }
 
-  const Blockers3* blockers_;
+  const Occluders3* occluders_;
   std::vector<Box3> surfaces_, nodes_;
 };
 

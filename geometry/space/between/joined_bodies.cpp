@@ -78,7 +78,7 @@ void JoinedBodies3::join(std::span<const std::uint32_t> list, std::span<const Bo
 // Where the back is seen corners run counter-clockwise, seen along directions.
 void JoinedBodies3::look(std::span<const std::uint32_t> list) {
   for (const std::uint32_t body : list) {
-    const PairBodies3::Body& b = bodies_.bodies[body];
+    const PairGeometry3::Body& b = bodies_.bodies[body];
     const double height = dot(Direction3{b.normal.x, b.normal.y, b.normal.z}, way(b.corners.front()));
     facings_[body] = static_cast<signed char>(height < 0 ? 1 : height > 0 ? -1 : 0);
     const std::uint32_t first = first_[body], count = first_[body + 1] - first;

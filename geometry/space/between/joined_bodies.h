@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/space/between/pair_bodies.h"
+#include "geometry/space/between/pair_geometry.h"
 #include "geometry/space/visibility/direction.h"
 #include "kernel/support/disjoint_sets.h"
 
@@ -40,7 +40,7 @@ class JoinedBodies3 {
   };
 
   // REQUIRES: the bodies outlive this.
-  explicit JoinedBodies3(const PairBodies3& bodies) : bodies_(bodies) {}
+  explicit JoinedBodies3(const PairGeometry3& bodies) : bodies_(bodies) {}
 
   // Sets the groups of two bodies or more among those in a list, which may stand between. `toward`: the ways from the
   // eye to all points, each times a positive number. COST: some 100 ns a side.
@@ -69,7 +69,7 @@ class JoinedBodies3 {
   Direction3 way(std::uint32_t point) const { return way_of(toward_[point]); }
   static Direction3 way_of(const BoundedVector& w) { return {w.x, w.y, w.z}; }
 
-  const PairBodies3& bodies_;
+  const PairGeometry3& bodies_;
   std::span<const BoundedVector> toward_;
   std::vector<std::uint32_t> first_;       // the sides of body k have numbers from first_[k] to first_[k + 1]
   std::vector<std::uint32_t> body_of_;     // of a side

@@ -8,7 +8,7 @@ namespace hottel {
 namespace {
 
 // Whether the line from p to q passes on one and the same side of all sides of a body, on none of them.
-bool passes_within(const PairBodies3& bodies, std::uint32_t p, std::uint32_t q, std::uint32_t body) {
+bool passes_within(const PairGeometry3& bodies, std::uint32_t p, std::uint32_t q, std::uint32_t body) {
   const std::vector<std::uint32_t>& corners = bodies.bodies[body].corners;
   const int first = bodies.orientation(p, q, corners.back(), corners.front());
   if (first == 0) return false;
@@ -19,7 +19,7 @@ bool passes_within(const PairBodies3& bodies, std::uint32_t p, std::uint32_t q, 
 
 }  // namespace
 
-bool stops_lines_of_corners(const PairBodies3& bodies, std::uint32_t body) {
+bool stops_lines_of_corners(const PairGeometry3& bodies, std::uint32_t body) {
   for (const std::uint32_t p : bodies.bodies[0].corners) {
     const int before = bodies.side(p, body);
     if (before == 0 || bodies.side(p, 1) <= 0) continue;

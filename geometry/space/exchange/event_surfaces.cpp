@@ -10,7 +10,7 @@
 #include "geometry/name.h"
 #include "geometry/scene_names.h"
 #include "geometry/space/pairs/pair_details.h"
-#include "geometry/space/pairs/pair_measure.h"
+#include "geometry/space/pairs/pair_integrator.h"
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/face_patches.h"
 #include "geometry/space/prepared/prepared_scene.h"
@@ -59,11 +59,11 @@ FlatPlane plane_of(const Vertices3& vertices, const Patch3& patch) {
 class PatchEvents {
  public:
   PatchEvents(const PreparedScene3& prepared, const ElementTable3::Part& from, const ElementTable3::Part& to)
-      : prepared_(prepared), vertices_(prepared.blockers().vertices()) {
+      : prepared_(prepared), vertices_(prepared.occluders().vertices()) {
     planes_ = {plane_of(vertices_, from.patch), plane_of(vertices_, to.patch)};
     details_.wants_corners = true;
     const bool is_turned = to.label < from.label;  // a pair is looked at from the face that comes first
-    const PairMeasure3 found =
+    const PairResult3 found =
         prepared.measurer().measure((is_turned ? to : from).patch, (is_turned ? from : to).patch,
                                     {.tolerance = kCoarse, .always_along_edges = true}, &details_);
     if (found.is_undecided) problem_ = found.problem;

@@ -31,7 +31,7 @@ std::vector<ElementPair> hidden_pairs(const PreparedScene3& prepared, Granularit
   const auto is_positive = [&](std::uint32_t i, std::uint32_t j) {
     if (table.parts(i).empty() || table.parts(j).empty()) return false;
     if (!table.is_one_patch(i) || !table.is_one_patch(j)) return groups.measure(i, j).value > 0;
-    return i != j && face_each_other(prepared.blockers(), table.parts(i).front(), table.parts(j).front());
+    return i != j && face_each_other(prepared.occluders(), table.parts(i).front(), table.parts(j).front());
   };
   std::vector<std::vector<ElementPair>> rows(table.count());
   parallel_for(table.count(), [&](std::size_t row) {

@@ -192,7 +192,7 @@ double visibility_of(const ElementTable3& table, const PairSum3& pair) {
   return pair.j == table.sky() || pair.is_whole ? 1 : partial_visibility(pair.measure, pair.alone);
 }
 
-// The smaller of both areas, in the unit of PairMeasurer3. The sky has none.
+// The smaller of both areas, in the unit of PairIntegrator3. The sky has none.
 double smaller_area(const ElementTable3& table, const PairSum3& pair) {
   const double area = table.extent(pair.i).enclosure().lower;
   return pair.j == table.sky() ? area : std::min(area, table.extent(pair.j).enclosure().lower);
@@ -219,7 +219,7 @@ double closure_defect(const ExchangeMatrix& matrix, const std::vector<char>& is_
 std::vector<PairEntry> entries_of(const PreparedScene3& prepared, const ElementTable3& table,
                                   const std::vector<PairSum3>& pairs, const ExchangeRequest& request,
                                   ExchangeReport3& report) {
-  const Vertices3& vertices = prepared.blockers().vertices();
+  const Vertices3& vertices = prepared.occluders().vertices();
   const Rational unit = scaled_by_power_of_two(vertices.scale(), vertices.shift());
   const double told = to_double(unit * unit * square_metres_per_unit(prepared.scene));
   std::vector<PairEntry> entries;
@@ -234,7 +234,7 @@ std::vector<PairEntry> entries_of(const PreparedScene3& prepared, const ElementT
   return entries;
 }
 
-// Areas are doubles in the unit of PairMeasurer3, where the scene is 2^53 large at most.
+// Areas are doubles in the unit of PairIntegrator3, where the scene is 2^53 large at most.
 void require_areas(const ElementTable3& table) {
   constexpr double kLeastArea = 0x1p-900;
   for (std::uint32_t i = 0; i < table.count(); ++i)
@@ -357,7 +357,7 @@ double ExchangeRows3::factor(const PairSum3& pair, std::uint32_t from) const {
 }
 
 std::vector<std::vector<std::array<double, 3>>> ExchangeRows3::corners() const {
-  return element_corners(table_, prepared_.blockers().vertices());
+  return element_corners(table_, prepared_.occluders().vertices());
 }
 
 void ExchangeRows3::measure_alone() { measure_alone(pairs_); }
@@ -387,7 +387,7 @@ ExchangeMatrix ExchangeRows3::matrix(ExchangeReport3* report) {
   }
   enclose_sky(table_, pairs_);
   report_.surfaces = prepared_.scene.surfaces.size();
-  report_.vertices = prepared_.blockers().vertices().size();
+  report_.vertices = prepared_.occluders().vertices().size();
   report_.elements = table_.count();
   report_.pairs = pairs_.size();
   measure_alone();

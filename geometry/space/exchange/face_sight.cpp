@@ -7,7 +7,7 @@
 #include "geometry/name.h"
 #include "geometry/scene_names.h"
 #include "geometry/space/exchange/facing.h"
-#include "geometry/space/pairs/pair_measure.h"
+#include "geometry/space/pairs/pair_integrator.h"
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
@@ -44,18 +44,18 @@ class FaceSights {
 
   void add(const ElementTable3::Part& i, const ElementTable3::Part& j, SeenFace3& sight) const {
     if (!j.patch.is_sky() && i.patch.surface == j.patch.surface) return;
-    const PairMeasure3 found = prepared_.measurer().measure(i.patch, j.patch, {.tolerance = kCoarse});
+    const PairResult3 found = prepared_.measurer().measure(i.patch, j.patch, {.tolerance = kCoarse});
     if (found.is_undecided)
       throw RequestError("whether " + quoted_name(face_name(prepared_.scene, face_)) + " sees " +
                          (j.patch.is_sky() ? "the sky" : quoted_name(table_.elements()[j.label].name)) +
                          " could not be decided: " + found.problem);
-    const bool is_seen = found.sight != Sight3::kHidden && found.bounds.upper > 0;
+    const bool is_seen = found.sight != PairVisibility3::kHidden && found.bounds.upper > 0;
     sight.is_seen |= is_seen;
     sight.is_whole &= is_seen ? found.is_whole : !is_facing(i, j);
   }
 
   bool is_facing(const ElementTable3::Part& i, const ElementTable3::Part& j) const {
-    return j.patch.is_sky() || face_each_other(prepared_.blockers(), i, j);
+    return j.patch.is_sky() || face_each_other(prepared_.occluders(), i, j);
   }
 
   const PreparedScene3& prepared_;

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "geometry/space/between/pair_setting.h"
+#include "geometry/space/between/pair_occluders.h"
 #include "geometry/space/between/stopped_lines.h"
 #include "geometry/space/exchange/facing.h"
 #include "kernel/support/failure.h"
@@ -20,18 +20,18 @@ using Part = ElementTable3::Part;
 class PartOfScene {
  public:
   PartOfScene(const PreparedScene3& prepared, std::vector<std::uint32_t> pieces)
-      : whole_(prepared.blockers()),
+      : whole_(prepared.occluders()),
         pieces_(std::move(pieces)),
-        blockers_(polygons_of(prepared, pieces_)),
-        measurer_(blockers_) {
-    const Vertices3 &whole = whole_.vertices(), &here = blockers_.vertices();
+        occluders_(polygons_of(prepared, pieces_)),
+        measurer_(occluders_) {
+    const Vertices3 &whole = whole_.vertices(), &here = occluders_.vertices();
     const Rational ratio = scaled_by_power_of_two(here.scale() / whole.scale(), here.shift() - whole.shift());
     unit_ = to_double(ratio * ratio);
   }
 
   // REQUIRES patches of these pieces. The measure is in the unit of this part of the scene, the share in
   // that of the whole.
-  PairMeasure3 measure(const Part& a, const Part& b, double share) const {
+  PairResult3 measure(const Part& a, const Part& b, double share) const {
     return measurer_.measure(here(a), here(b), {.share = share / unit_});
   }
   double unit() const { return unit_; }  // in that of the whole scene
@@ -44,14 +44,14 @@ class PartOfScene {
   }
   Patch3 here(const Part& part) const {
     const auto place = std::lower_bound(pieces_.begin(), pieces_.end(), part.patch.surface);
-    return patch_of(blockers_, static_cast<std::uint32_t>(place - pieces_.begin()),
+    return patch_of(occluders_, static_cast<std::uint32_t>(place - pieces_.begin()),
                     corners_of(whole_.vertices(), part.patch), false);
   }
 
-  const Blockers3& whole_;
+  const Occluders3& whole_;
   std::vector<std::uint32_t> pieces_;  // ascending
-  Blockers3 blockers_;
-  PairMeasurer3 measurer_;
+  Occluders3 occluders_;
+  PairIntegrator3 measurer_;
   double unit_;
 };
 
@@ -60,8 +60,8 @@ class PartOfScene {
 GroupsAlone3::GroupsAlone3(const PreparedScene3& prepared, const ElementTable3& table, double tolerance)
     : prepared_(prepared),
       table_(table),
-      boxes_(prepared.blockers()),
-      shares_(table, prepared.blockers().vertices(), tolerance),
+      boxes_(prepared.occluders()),
+      shares_(table, prepared.occluders().vertices(), tolerance),
       members_(prepared.scene.groups.size()) {
   for (std::uint32_t s = 0; s < prepared.scene.surfaces.size(); ++s)
     members_[prepared.scene.surfaces[s].group].push_back(s);
@@ -89,15 +89,15 @@ bool GroupsAlone3::for_each_facing(std::uint32_t i, std::uint32_t j, const Visit
     for (const Part& b : table_.free_parts(j)) {
       if (i == j && &b <= &a) continue;
       throw_if_interrupted();
-      if (face_each_other(prepared_.blockers(), a, b) && !visit(a, b)) return false;
+      if (face_each_other(prepared_.occluders(), a, b) && !visit(a, b)) return false;
     }
   return true;
 }
 
 bool GroupsAlone3::is_undisturbed(const Part& a, const Part& b, std::span<const std::uint32_t> own) const {
-  const PairSetting3 setting(prepared_.blockers(), boxes_, a.patch, b.patch);
+  const PairOccluders3 setting(prepared_.occluders(), boxes_, a.patch, b.patch);
   const auto is_own = [own](std::uint32_t piece) { return std::ranges::binary_search(own, piece); };
-  if (setting.sight == Sight3::kHidden) return is_own(setting.bodies.bodies.back().surface);
+  if (setting.sight == PairVisibility3::kHidden) return is_own(setting.bodies.bodies.back().surface);
   std::vector<std::uint32_t> kept;
   for (std::uint32_t body = 2; body < setting.bodies.end_of_between(); ++body) {
     const std::uint32_t piece = setting.bodies.bodies[body].surface;
@@ -128,7 +128,7 @@ GroupsAlone3::Measure GroupsAlone3::measure(std::uint32_t i, std::uint32_t j) co
   std::set<std::pair<std::uint32_t, std::uint32_t>> holders;
   std::string problem;
   for_each_facing(i, j, [&](const Part& a, const Part& b) {
-    const PairMeasure3 pair = part.measure(a, b, shares_.share(a, b));
+    const PairResult3 pair = part.measure(a, b, shares_.share(a, b));
     if (pair.is_undecided) refuse(i, j, pair.problem);
     if (problem.empty()) problem = pair.problem;
     holders.emplace(a.holder, b.holder);

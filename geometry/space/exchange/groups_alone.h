@@ -28,7 +28,7 @@ class GroupsAlone3 {
   // these.
   bool is_undisturbed(std::uint32_t i, std::uint32_t j) const;
 
-  // S0, in the unit of the scene's PairMeasurer3, with what it may be off, as an estimate, and proven bounds.
+  // S0, in the unit of the scene's PairIntegrator3, with what it may be off, as an estimate, and proven bounds.
   struct Measure {
     double value = 0, error = 0;
     Enclosure bounds{0, 0};

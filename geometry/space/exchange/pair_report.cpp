@@ -38,7 +38,7 @@ void add(const Estimate3& some, Estimate3& sum) {
 }
 
 // Hidden before clear before mixed: of several pairs together.
-Sight3 together(Sight3 a, Sight3 b) { return std::max(a, b); }
+PairVisibility3 together(PairVisibility3 a, PairVisibility3 b) { return std::max(a, b); }
 
 using Part = ElementTable3::Part;
 
@@ -48,11 +48,11 @@ class Reporter {
            double tolerance, bool proves)
       : prepared_(prepared),
         table_(*prepared.elements(Granularity::kFace)),
-        shares_(table_, prepared.blockers().vertices(), tolerance),
+        shares_(table_, prepared.occluders().vertices(), tolerance),
         from_(from),
         to_(to),
         proves_(proves) {
-    const Vertices3& vertices = prepared.blockers().vertices();
+    const Vertices3& vertices = prepared.occluders().vertices();
     const Rational unit = scaled_by_power_of_two(vertices.scale(), vertices.shift()) * metres_per_unit(prepared.scene);
     length_ = to_double(unit);
     square_ = to_double(unit * unit);
@@ -98,7 +98,7 @@ class Reporter {
   struct PatchPair {
     const Part *from, *to;
     double share;
-    PairMeasure3 measure;
+    PairResult3 measure;
     PairDetails3 details;
   };
 
@@ -140,24 +140,24 @@ class Reporter {
     if (!from_ || !to_) return;
     for (const ElementTable3::Contact& contact : table_.contacts()) {
       if (std::minmax(contact.mask, contact.base) != std::minmax(from_->number(), to_->number())) continue;
-      report_.sight = together(report_.sight, Sight3::kClear);
+      report_.sight = together(report_.sight, PairVisibility3::kClear);
       add({contact.extent.value, 0, contact.extent.enclosure()}, report_.exchange);
     }
   }
 
   void add_pair(PatchPair& pair) {
     PairDetails3& details = pair.details;
-    const PairMeasure3& found = pair.measure;
+    const PairResult3& found = pair.measure;
     report_.sight = together(report_.sight, found.sight);
     add({found.measure, found.error, found.bounds}, report_.exchange);
-    if (found.sight == Sight3::kHidden) {
+    if (found.sight == PairVisibility3::kHidden) {
       report_.is_whole &= details.hiders.empty();
       if (from_ && to_ && !details.hiders.empty()) report_.hiders = surfaces_of(std::move(details.hiders));
       return;
     }
     for (const std::uint32_t piece : details.between) report_.between.push_back(surface_of(piece));
     report_.is_whole &= found.is_whole;
-    PairMeasure3 along = found;
+    PairResult3 along = found;
     if (details.stretches.empty() && found.bounds.upper > 0) {
       PatchPair same{pair.from, pair.to, pair.share, {}, {}};
       measure(same, {.share = pair.share, .always_along_edges = true});
@@ -203,7 +203,7 @@ class Reporter {
   }
 
   Point3 place(const WeightedPoint3& p) const {
-    const Vertices3& vertices = prepared_.blockers().vertices();
+    const Vertices3& vertices = prepared_.occluders().vertices();
     const Rational unit = vertices.scale() / p.weight;
     const Point3& origin = vertices.origin();
     return {origin.x + unit * p.numerator.x, origin.y + unit * p.numerator.y, origin.z + unit * p.numerator.z};
@@ -217,7 +217,7 @@ class Reporter {
       const auto alone = GroupsAlone3(prepared_, table_, report_.tolerance).measure(from_->number(), to_->number());
       report_.unobstructed = {alone.value, alone.error, alone.bounds};
     } else if (from_->surface != to_->surface) {
-      const UnobstructedMeasure3 alone = unobstructed_measure(prepared_.blockers().vertices(), of_from.front()->patch,
+      const UnobstructedMeasure3 alone = unobstructed_measure(prepared_.occluders().vertices(), of_from.front()->patch,
                                                               of_to.front()->patch, report_.tolerance);
       if (!alone.has_converged) fail("the integral over two patches that see each other did not converge");
       report_.unobstructed = {alone.measure, alone.error, alone.bounds};

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/face.h"
-#include "geometry/space/between/sight.h"
+#include "geometry/space/between/pair_visibility.h"
 #include "geometry/space/pairs/pair_details.h"
 #include "geometry/space/point.h"
 #include "geometry/space/prepared/prepared_scene.h"
@@ -43,7 +43,7 @@ struct PairReport3 {
     double measure = 0;                       // their sum
   };
 
-  Sight3 sight = Sight3::kHidden;
+  PairVisibility3 sight = PairVisibility3::kHidden;
   bool is_whole = false;  // nothing hides any part
   // Surfaces that may stand between, with those that are one convex polygon with such a one, ascending.
   std::vector<std::uint32_t> between;
@@ -58,7 +58,7 @@ struct PairReport3 {
   std::uint32_t looked_at = 0;  // stretches
   std::vector<Stretch> stretches;
   Estimate3 along_edges;
-  std::string problem;  // of the sum along edges where the measure has a closed form, as PairMeasure3; else empty
+  std::string problem;  // of the sum along edges where the measure has a closed form, as PairResult3; else empty
   double residual = 0, residual_bound = 0;  // of translation, in metres as measures are in their squares
   std::uint32_t maps = 0, pieces = 0, nodes = 0;
   SignCounts signs;

@@ -15,7 +15,7 @@ namespace hottel {
 //   (1) the shares of all pairs of patches of two holders are together allowed() at most; that of the only one is that
 //   (2) of a pair of one holder with itself, those of all ordered pairs are
 //
-// The unit is that of PairMeasurer3.
+// The unit is that of PairIntegrator3.
 class PairShares3 {
  public:
   // COST: a microsecond a patch. REQUIRES: the table is one of these vertices.

@@ -18,7 +18,7 @@
 
 namespace hottel {
 
-// S of two elements, i <= j, or of one and the sky: the sum over their patches, in the unit of PairMeasurer3.
+// S of two elements, i <= j, or of one and the sky: the sum over their patches, in the unit of PairIntegrator3.
 struct PairSum3 {
   std::uint32_t i, j;
   double measure = 0, error = 0;  // |measure - S| <= error, an estimate; may be 0 where S is not

@@ -36,7 +36,7 @@ using OpenPair = OpenPair3;
 // Rows of patches, to be taken by one thread at a time: what is known of a patch serves its next task.
 class RowsAtHand {
  public:
-  explicit RowsAtHand(const PairMeasurer3& measurer) : measurer_(measurer) {}
+  explicit RowsAtHand(const PairIntegrator3& measurer) : measurer_(measurer) {}
 
   struct Row {
     const Part* part;
@@ -60,7 +60,7 @@ class RowsAtHand {
   }
 
  private:
-  const PairMeasurer3& measurer_;
+  const PairIntegrator3& measurer_;
   std::mutex together_;
   std::vector<Row> idle_;
 };
@@ -86,7 +86,7 @@ class Measuring {
         request_(request),
         tasks_(table),
         rows_(prepared.measurer()),
-        shares_(table, prepared.blockers().vertices(), request.tolerance) {}
+        shares_(table, prepared.occluders().vertices(), request.tolerance) {}
 
   const Tasks& tasks() const { return tasks_; }
   const PairShares3& shares() const { return shares_; }
@@ -104,7 +104,7 @@ class Measuring {
       if (!b.patch.is_sky()) {
         if (a.patch.surface == b.patch.surface || !tasks_.is_asked(a, b) || !has_turn(a, b)) continue;
         if (before == nullptr || before->patch.surface != b.patch.surface || before->is_back != b.is_back)
-          do_face = surfaces_face_each_other(prepared_.blockers(), a, b);
+          do_face = surfaces_face_each_other(prepared_.occluders(), a, b);
         before = &b;
         if (!do_face) {
           ++counts.hidden;
@@ -135,8 +135,10 @@ class Measuring {
   }
 
   void measure(PairRow3& row, const Part& a, const Part& b, Found& found, ExchangeReport3& counts) const {
-    const PairMeasure3 pair = row.measure(b.patch, request_of(a, b, Effort3::kUsual));
-    ++(pair.sight == Sight3::kHidden ? counts.hidden : pair.sight == Sight3::kClear ? counts.clear : counts.mixed);
+    const PairResult3 pair = row.measure(b.patch, request_of(a, b, Effort3::kUsual));
+    ++(pair.sight == PairVisibility3::kHidden  ? counts.hidden
+       : pair.sight == PairVisibility3::kClear ? counts.clear
+                                               : counts.mixed);
     add_work(pair, counts);
     const bool is_zero = pair.bounds.upper == 0;
     if (is_zero && !stands_for_what_is_hidden(a, b)) return;
@@ -150,7 +152,7 @@ class Measuring {
  public:
   // Tries more.
   void measure_again(OpenPair& open, ExchangeReport3& counts) const {
-    const PairMeasure3 pair =
+    const PairResult3 pair =
         prepared_.measurer().measure(open.a->patch, open.b->patch, request_of(*open.a, *open.b, Effort3::kAll));
     add_work(pair, counts);
     open.sum = sum_of(*open.a, *open.b, pair);
@@ -163,7 +165,7 @@ class Measuring {
     return {.share = shares_.share(a, b), .effort = effort, .proves = request_.proves};
   }
 
-  PairSum3 sum_of(const Part& a, const Part& b, const PairMeasure3& pair) const {
+  PairSum3 sum_of(const Part& a, const Part& b, const PairResult3& pair) const {
     const bool is_zero = pair.bounds.upper == 0;
     PairSum3 sum{.i = a.holder, .j = b.holder, .is_whole = !is_zero && pair.is_whole};
     if (!is_zero) {
@@ -177,7 +179,7 @@ class Measuring {
   }
 
   double measure_alone(const Part& a, const Part& b) const {
-    return unobstructed_measure(prepared_.blockers().vertices(), a.patch, b.patch, request_.tolerance).measure;
+    return unobstructed_measure(prepared_.occluders().vertices(), a.patch, b.patch, request_.tolerance).measure;
   }
 
   bool is_of_groups(const Part& a, const Part& b) const {
@@ -187,7 +189,7 @@ class Measuring {
   // Whether a pair that exchanges nothing is kept, so that the sum of two groups knows of it.
   bool stands_for_what_is_hidden(const Part& a, const Part& b) const {
     return request_.wants_visibility && !b.patch.is_sky() && is_of_groups(a, b) &&
-           face_each_other(prepared_.blockers(), a, b);
+           face_each_other(prepared_.occluders(), a, b);
   }
 
   const PreparedScene3& prepared_;

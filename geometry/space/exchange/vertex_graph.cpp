@@ -8,8 +8,8 @@
 
 #include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/scene.h"
-#include "geometry/space/visibility/exact_map.h"
-#include "geometry/space/visibility/sight_finder.h"
+#include "geometry/space/visibility/exact_visibility_map.h"
+#include "geometry/space/visibility/visibility_finder.h"
 #include "kernel/root_sum.h"
 #include "kernel/rounding.h"
 #include "kernel/support/interrupt.h"
@@ -34,8 +34,8 @@ class Sights {
   std::vector<std::uint32_t> from(std::uint32_t v) const {
     const Point3& eye = vertices_[v].point;
     if (prepared_.arrangement().solids().around(eye)) return {};
-    const ExactMap3 map(prepared_.blockers(), eye);
-    const SightFinder3 finder(map);
+    const ExactVisibilityMap3 map(prepared_.occluders(), eye);
+    const VisibilityFinder3 finder(map);
     using Way = std::tuple<Integer, Integer, Integer>;
     std::map<Way, std::uint32_t> nearest;
     for (std::uint32_t w = 0; w < vertices_.size(); ++w) {

@@ -38,8 +38,8 @@ struct VisiblePair3 {
 //       sees none; the edges of solids and the diagonals of their faces are pairs, those through them are not
 //   (3) each pair once, v < w; ascending by v, then by w; the same for any number of threads
 //
-// progress: fraction done; may throw to stop. COST: on all threads: an exact map from each vertex (ExactMap3), and some
-// microseconds a pair; a bit a pair of memory.
+// progress: fraction done; may throw to stop. COST: on all threads: an exact map from each vertex
+// (ExactVisibilityMap3), and some microseconds a pair; a bit a pair of memory.
 std::vector<VisiblePair3> visibility_graph_3(const PreparedScene3& prepared,
                                              const std::function<void(double)>& progress = {});
 

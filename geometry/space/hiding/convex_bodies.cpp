@@ -21,15 +21,15 @@ struct Sides {
 
 class BodyFinder {
  public:
-  BodyFinder(const Blockers3& blockers, const EdgeComponents3& components)
-      : blockers_(blockers), vertices_(blockers.vertices()), components_(components) {}
+  BodyFinder(const Occluders3& occluders, const EdgeComponents3& components)
+      : occluders_(occluders), vertices_(occluders.vertices()), components_(components) {}
 
   std::optional<ConvexBody3> find(const std::vector<std::uint32_t>& surfaces) const {
     if (surfaces.size() < 3 || surfaces.size() > ConvexBodies3::kMostSurfaces) return std::nullopt;
     ConvexBody3 body;
     body.surfaces = surfaces;
     for (const std::uint32_t s : body.surfaces)
-      body.corners.insert(body.corners.end(), blockers_.outline(s).begin(), blockers_.outline(s).end());
+      body.corners.insert(body.corners.end(), occluders_.outline(s).begin(), occluders_.outline(s).end());
     std::ranges::sort(body.corners);
     body.corners.erase(std::unique(body.corners.begin(), body.corners.end()), body.corners.end());
     if (!find_lid(body) || !find_planes(body)) return std::nullopt;
@@ -41,10 +41,10 @@ class BodyFinder {
   bool find_lid(ConvexBody3& body) const {
     std::vector<VertexId3> border;
     for (const std::uint32_t s : body.surfaces)
-      for (const DirectedEdge3& side : blockers_.edges(s)) {
+      for (const DirectedEdge3& side : occluders_.edges(s)) {
         const std::size_t count = components_.of_edge(side.edge).size();
         if (count > 2) return false;
-        const Blockers3::Edge& edge = blockers_.edge(side.edge);
+        const Occluders3::Edge& edge = occluders_.edge(side.edge);
         if (count == 1) border.insert(border.end(), {edge.from, edge.to});
       }
     if (border.empty()) return true;
@@ -74,19 +74,19 @@ class BodyFinder {
       Sides sides;
       for (const VertexId3 v : body.corners) {
         SignTier tier;
-        sides.add(blockers_.side_of(v, s, tier));
+        sides.add(occluders_.side_of(v, s, tier));
         if (sides.has_positive && sides.has_negative) return false;
       }
       if (sides.only() == 0) return false;
-      const IntegerVector& normal = blockers_.exact_normal(s);
+      const IntegerVector& normal = occluders_.exact_normal(s);
       body.plane_of.push_back(static_cast<std::uint32_t>(body.planes.size()));
-      body.planes.push_back({blockers_.outline(s).front(), sides.only() > 0 ? opposite(normal) : normal});
+      body.planes.push_back({occluders_.outline(s).front(), sides.only() > 0 ? opposite(normal) : normal});
     }
     return !body.planes.empty();
   }
 
   bool is_in(const BodyPlane3& plane, std::uint32_t surface) const {
-    const Sides sides = sides_of(plane, blockers_.outline(surface));
+    const Sides sides = sides_of(plane, occluders_.outline(surface));
     return !sides.has_positive && !sides.has_negative;
   }
 
@@ -98,16 +98,16 @@ class BodyFinder {
     return sides;
   }
 
-  const Blockers3& blockers_;
+  const Occluders3& occluders_;
   const Vertices3& vertices_;
   const EdgeComponents3& components_;
 };
 
 }  // namespace
 
-ConvexBodies3::ConvexBodies3(const Blockers3& blockers) : body_of_(blockers.size(), ConvexBody3::kNone) {
-  const EdgeComponents3 components(blockers);
-  const BodyFinder finder(blockers, components);
+ConvexBodies3::ConvexBodies3(const Occluders3& occluders) : body_of_(occluders.size(), ConvexBody3::kNone) {
+  const EdgeComponents3 components(occluders);
+  const BodyFinder finder(occluders, components);
   for (const std::vector<std::uint32_t>& surfaces : components.all()) {
     std::optional<ConvexBody3> body = finder.find(surfaces);
     if (!body) continue;

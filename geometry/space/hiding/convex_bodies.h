@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/space/arrangement/blockers.h"
+#include "geometry/space/arrangement/occluders.h"
 
 namespace hottel {
 
@@ -43,7 +43,7 @@ class ConvexBodies3 {
  public:
   static constexpr std::size_t kMostSurfaces = 256;
 
-  explicit ConvexBodies3(const Blockers3& blockers);
+  explicit ConvexBodies3(const Occluders3& occluders);
 
   const std::vector<ConvexBody3>& bodies() const { return bodies_; }
   // The number of the body of a surface; ConvexBody3::kNone where it has none.

@@ -270,7 +270,7 @@ class Hiders3::Proof {
       else
         sign = dot_sign(
             exact.outward,
-            difference(patch.corners[k], multiple(patch.weight, hiders_.blockers_.vertices().exact(exact.at))));
+            difference(patch.corners[k], multiple(patch.weight, hiders_.occluders_.vertices().exact(exact.at))));
       result.has_outside |= sign > 0;
       result.has_inside |= sign < 0;
     }
@@ -317,11 +317,11 @@ class Hiders3::Proof {
     if (std::fabs(volume) > 0x1p-6 * deep_ * longest * longest) return volume > 0 ? 1 : -1;
     const Patch3 &first = *patches_[from]->patch, &second = *patches_[1 - from]->patch;
     const IntegerVector& at = first.corners[p];
-    const auto outline = hiders_.blockers_.outline(flat.surface);
+    const auto outline = hiders_.occluders_.outline(flat.surface);
     const auto offset = [&](const IntegerVector& point, const Integer& weight) {
       return difference(multiple(first.weight, point), multiple(weight, at));
     };
-    const auto corner = [&](std::size_t c) { return offset(hiders_.blockers_.vertices().exact(outline[c]), 1); };
+    const auto corner = [&](std::size_t c) { return offset(hiders_.occluders_.vertices().exact(outline[c]), 1); };
     return determinant_sign(offset(second.corners[q], second.weight), corner(next), corner(k));
   }
 
@@ -478,8 +478,8 @@ class Hiders3::Proof {
   boost::container::small_vector<Facts, 8> facts_;
 };
 
-Hiders3::Hiders3(const Blockers3& blockers) : blockers_(blockers), bodies_(blockers) {
-  const Vertices3& vertices = blockers.vertices();
+Hiders3::Hiders3(const Occluders3& occluders) : occluders_(occluders), bodies_(occluders) {
+  const Vertices3& vertices = occluders.vertices();
   auto tree = std::make_unique<Tree>();
   for (std::size_t v = 0; v < vertices.size(); ++v)
     tree->size = std::max(tree->size, vertices.approximate(VertexId3(v)).size);
@@ -496,11 +496,11 @@ Hiders3::Hiders3(const Blockers3& blockers) : blockers_(blockers), bodies_(block
     for (const VertexId3 v : exact.corners) box.include(vertices.approximate(v));
     tree->boxes.push_back(box);
   }
-  for (std::uint32_t s = 0; s < blockers.size(); ++s) {
+  for (std::uint32_t s = 0; s < occluders.size(); ++s) {
     if (bodies_.body_of(s) != ConvexBody3::kNone) continue;
-    Flat flat{plane_of({blockers.outline(s).front(), blockers.exact_normal(s)}), {}, s};
+    Flat flat{plane_of({occluders.outline(s).front(), occluders.exact_normal(s)}), {}, s};
     Box3 box;
-    for (const VertexId3 v : blockers.outline(s)) {
+    for (const VertexId3 v : occluders.outline(s)) {
       flat.corners.push_back(place_of(vertices.approximate(v)));
       box.include(vertices.approximate(v));
     }
@@ -508,7 +508,7 @@ Hiders3::Hiders3(const Blockers3& blockers) : blockers_(blockers), bodies_(block
     tree->boxes.push_back(box);
   }
   tree->build();
-  for (std::uint32_t s = 0; s < blockers.size(); ++s) tree->surfaces.push_back(whole_patch(blockers, s));
+  for (std::uint32_t s = 0; s < occluders.size(); ++s) tree->surfaces.push_back(whole_patch(occluders, s));
   for (const Patch3& whole : tree->surfaces) tree->placed.push_back(placed(whole));
   tree_ = std::move(tree);
 }
@@ -518,7 +518,7 @@ Hiders3::~Hiders3() = default;
 PlacedPatch3 Hiders3::placed(const Patch3& patch) const {
   PlacedPatch3 result{&patch, {}, {}, 0, !patch.is_far()};
   if (patch.is_far()) return result;
-  const int shift = static_cast<int>(blockers_.vertices().shift());
+  const int shift = static_cast<int>(occluders_.vertices().shift());
   const double factor = std::ldexp(1 / truncated_double(patch.weight), -shift);
   for (const IntegerVector& corner : patch.corners) {
     const Direction3 p{truncated_double(corner.x) * factor, truncated_double(corner.y) * factor,
@@ -533,13 +533,13 @@ PlacedPatch3 Hiders3::placed(const Patch3& patch) const {
     result.normal = unit_of(normal_of(patch));
     return result;
   }
-  result.normal = unit(place_of(blockers_.normal(patch.surface)));
+  result.normal = unit(place_of(occluders_.normal(patch.surface)));
   Direction3 around;
   for (std::size_t k = 1; k + 1 < result.corners.size(); ++k)
     around = around + cross(result.corners[k] - result.corners[0], result.corners[k + 1] - result.corners[0]);
   const double along = dot(around, result.normal);
   const bool is_sure = std::fabs(along) > 0x1p-40 * result.size * result.size;
-  if (is_sure ? along < 0 : dot_sign(normal_of(patch), blockers_.exact_normal(patch.surface)) < 0)
+  if (is_sure ? along < 0 : dot_sign(normal_of(patch), occluders_.exact_normal(patch.surface)) < 0)
     result.normal = -result.normal;
   return result;
 }

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/space/arrangement/blockers.h"
+#include "geometry/space/arrangement/occluders.h"
 #include "geometry/space/arrangement/patch.h"
 #include "geometry/space/hiding/convex_bodies.h"
 #include "geometry/space/visibility/direction.h"
@@ -48,8 +48,8 @@ class Hiders3 {
  public:
   static constexpr int kMostQuestions = 1000;
 
-  // REQUIRES: the blockers outlive this, and no two of them share an area of one plane.
-  explicit Hiders3(const Blockers3& blockers);
+  // REQUIRES: the occluders outlive this, and no two of them share an area of one plane.
+  explicit Hiders3(const Occluders3& occluders);
   ~Hiders3();
 
   PlacedPatch3 placed(const Patch3& patch) const;
@@ -69,7 +69,7 @@ class Hiders3 {
   struct Flat;
   struct Tree;
 
-  const Blockers3& blockers_;
+  const Occluders3& occluders_;
   ConvexBodies3 bodies_;
   std::unique_ptr<const Tree> tree_;
 };

@@ -27,7 +27,8 @@ ArcVector3<Real> unit(const IntegerVector& a) {
 
 }  // namespace
 
-MomentOrigin3::MomentOrigin3(const PairBodies3& bodies, const double (&shift)[3], long vertex_shift) : bodies_(bodies) {
+MomentOrigin3::MomentOrigin3(const PairGeometry3& bodies, const double (&shift)[3], long vertex_shift)
+    : bodies_(bodies) {
   if (!bodies.is_far(1) && set_on_common_line(shift[0])) return;
   set_in_the_middle();
   if (shift[0] == 0 && shift[1] == 0 && shift[2] == 0) return;
@@ -63,7 +64,7 @@ void MomentOrigin3::set_in_the_middle() {
   for (const std::uint32_t corner : corners) common = lcm(common, bodies_.points[corner].weight());
   IntegerVector sum;
   for (const std::uint32_t corner : corners) {
-    const PairBodies3::Point& p = bodies_.points[corner];
+    const PairGeometry3::Point& p = bodies_.points[corner];
     const IntegerVector part = multiple(common / p.weight(), p.exact());
     sum = {sum.x + part.x, sum.y + part.y, sum.z + part.z};
   }
@@ -73,16 +74,16 @@ void MomentOrigin3::set_in_the_middle() {
 // The points in which the outline of a patch meets the plane of the other one.
 std::vector<WeightedPoint3> MomentOrigin3::crossings(std::uint32_t patch) const {
   const std::vector<std::uint32_t>& corners = bodies_.bodies[patch].corners;
-  const PairBodies3::Body& other = bodies_.bodies[1 - patch];
-  const PairBodies3::Point& anchor = bodies_.points[other.corners.front()];
+  const PairGeometry3::Body& other = bodies_.bodies[1 - patch];
+  const PairGeometry3::Point& anchor = bodies_.points[other.corners.front()];
   std::vector<WeightedPoint3> result;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const std::uint32_t a = corners[k], b = corners[(k + 1) % corners.size()];
     const int at_a = bodies_.side(a, 1 - patch), at_b = bodies_.side(b, 1 - patch);
-    const PairBodies3::Point &p = bodies_.points[a], &q = bodies_.points[b];
+    const PairGeometry3::Point &p = bodies_.points[a], &q = bodies_.points[b];
     if (at_a == 0) result.push_back({p.exact(), p.weight()});
     if (at_a * at_b >= 0) continue;
-    const auto height = [&](const PairBodies3::Point& point) -> Integer {
+    const auto height = [&](const PairGeometry3::Point& point) -> Integer {
       return abs(dot(other.exact_normal(),
                      difference(multiple(anchor.weight(), point.exact()), multiple(point.weight(), anchor.exact()))));
     };
@@ -117,16 +118,16 @@ MomentOrigin3::Moment MomentOrigin3::moment_of(const Stretch3& stretch) const {
 
 // Nearly opposite normals lose the digits of their sum: it is at right angles to the line and to the difference.
 template <class Real>
-ArcVector3<Real> direction_of_both_normals(const PairBodies3& bodies) {
+ArcVector3<Real> direction_of_both_normals(const PairGeometry3& bodies) {
   const IntegerVector &a = bodies.bodies[0].exact_normal(), &b = bodies.bodies[1].exact_normal();
   const ArcVector3<Real> n = unit<Real>(a), m = unit<Real>(b);
   const bool is_acute = dot(n, m) >= 0;
   return unit_or_zero<Real>(is_acute ? n + m : cross(unit<Real>(cross(a, b)), n - m));
 }
 
-template Direction3 direction_of_both_normals<double>(const PairBodies3&);
-template LocalVector3<long double> direction_of_both_normals<long double>(const PairBodies3&);
-template LocalVector3<LongerReal> direction_of_both_normals<LongerReal>(const PairBodies3&);
-template LocalVector3<WideReal> direction_of_both_normals<WideReal>(const PairBodies3&);
+template Direction3 direction_of_both_normals<double>(const PairGeometry3&);
+template LocalVector3<long double> direction_of_both_normals<long double>(const PairGeometry3&);
+template LocalVector3<LongerReal> direction_of_both_normals<LongerReal>(const PairGeometry3&);
+template LocalVector3<WideReal> direction_of_both_normals<WideReal>(const PairGeometry3&);
 
 }  // namespace hottel

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "geometry/space/between/pair_bodies.h"
+#include "geometry/space/between/pair_geometry.h"
 #include "geometry/space/pieces/arc_sum.h"
 #include "geometry/space/stretches/stretch.h"
 #include "geometry/space/visibility/direction.h"
@@ -18,7 +18,7 @@ namespace hottel {
 class MomentOrigin3 {
  public:
   // Moved by `shift` (see PairRequest3), for tests. REQUIRES: the bodies outlive this.
-  MomentOrigin3(const PairBodies3& bodies, const double (&shift)[3], long vertex_shift);
+  MomentOrigin3(const PairGeometry3& bodies, const double (&shift)[3], long vertex_shift);
 
   const WeightedPoint3& point() const { return point_; }
   bool is_on_common_line() const { return is_on_common_line_; }
@@ -38,7 +38,7 @@ class MomentOrigin3 {
   bool set_on_common_line(double shift);
   std::vector<WeightedPoint3> crossings(std::uint32_t patch) const;
 
-  const PairBodies3& bodies_;
+  const PairGeometry3& bodies_;
   WeightedPoint3 point_;
   bool is_on_common_line_ = false;
 };
@@ -46,6 +46,6 @@ class MomentOrigin3 {
 // The direction of the sum of the unit normals of both patches, in doubles, long doubles, LongerReal or WideReal.
 // REQUIRES: their planes meet in a line.
 template <class Real>
-ArcVector3<Real> direction_of_both_normals(const PairBodies3& bodies);
+ArcVector3<Real> direction_of_both_normals(const PairGeometry3& bodies);
 
 }  // namespace hottel

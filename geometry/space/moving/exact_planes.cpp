@@ -71,7 +71,7 @@ bool MovingPlanes3::sum_whole(const MovingCorner3& corner, PlaneId3 plane, std::
 
 const IntegerVector& MovingPlanes3::exact_edge(Plane& plane) {
   if (!plane.exact_edge) {
-    const PairBodies3::Point &p = bodies_.points[plane.a], &q = bodies_.points[plane.b];
+    const PairGeometry3::Point &p = bodies_.points[plane.a], &q = bodies_.points[plane.b];
     plane.exact_edge = std::make_unique<IntegerVector>(
         p.is_far() ? difference(q.exact(), p.exact())
                    : difference(multiple(p.weight(), q.exact()), multiple(q.weight(), p.exact())));
@@ -80,7 +80,7 @@ const IntegerVector& MovingPlanes3::exact_edge(Plane& plane) {
 }
 
 Integer MovingPlanes3::exact_height(std::uint32_t body) {
-  const PairBodies3::Body& b = bodies_.bodies[body];
+  const PairGeometry3::Body& b = bodies_.bodies[body];
   return dot(b.exact_normal(), exact_toward(b.corners.front()));
 }
 
@@ -88,7 +88,7 @@ const IntegerVector& MovingPlanes3::exact_toward(std::uint32_t point) {
   ExactToward& kept = exact_toward_[point];
   if (kept.stamp == stamp_) return kept.vector;
   kept.stamp = stamp_;
-  const PairBodies3::Point& p = bodies_.points[point];
+  const PairGeometry3::Point& p = bodies_.points[point];
   if (p.is_far()) return kept.vector = p.exact();
   thread_local Integer step;
   step = mantissa_ * p.weight();
@@ -117,7 +117,7 @@ MovingPlanes3::ExactNormal& MovingPlanes3::exact_of(Plane& plane) {
 
 // sign(h_k) (h_k w_patch N_patch - h_patch w_k N_k) for heights or their changes.
 IntegerVector MovingPlanes3::exact_height_vector(const Plane& plane, const Integer& of_body, const Integer& of_patch) {
-  const PairBodies3::Body &k = bodies_.bodies[plane.a], &patch = bodies_.bodies[plane.b];
+  const PairGeometry3::Body &k = bodies_.bodies[plane.a], &patch = bodies_.bodies[plane.b];
   const Integer &wk = bodies_.points[k.corners.front()].weight(), &wp = bodies_.points[patch.corners.front()].weight();
   const int sign = sgn(exact_height(plane.a));
   return difference(multiple(sign * of_body * wp, patch.exact_normal()),
@@ -145,7 +145,7 @@ const IntegerVector& MovingPlanes3::exact_turn(PlaneId3 id) {
   if (exact.stamps[1] == stamp_) return exact.powers[1];
   exact.stamps[1] = stamp_;
   const auto slope = [this](std::uint32_t body) -> Integer {
-    const PairBodies3::Body& b = bodies_.bodies[body];
+    const PairGeometry3::Body& b = bodies_.bodies[body];
     return dot(b.exact_normal(), exact_drift(b.corners.front()));
   };
   exact.powers[1] = plane.kind == Kind::kLine ? cross(exact_drift(plane.a), exact_edge(plane))

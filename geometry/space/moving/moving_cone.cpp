@@ -13,15 +13,15 @@ void MovingCutter3::set_cone(std::uint32_t body, int facing, bool is_antipodal, 
 }
 
 // The outline is made of the edges at which one face is seen from outside and the other one is not.
-void MovingCutter3::set_cone(const PairBodies3::Solid& solid, std::span<const signed char> facings, bool is_antipodal,
+void MovingCutter3::set_cone(const PairGeometry3::Solid& solid, std::span<const signed char> facings, bool is_antipodal,
                              Cone& cone) const {
   cone.is_antipodal = is_antipodal;
   cone.sides.clear();
   cone.corners.clear();
   const auto is_seen = [&](std::uint32_t face) {
-    return face != PairBodies3::Solid::kNone && facings[face] * solid.outward[face] > 0;
+    return face != PairGeometry3::Solid::kNone && facings[face] * solid.outward[face] > 0;
   };
-  for (const PairBodies3::Solid::Edge& edge : solid.edges) {
+  for (const PairGeometry3::Solid::Edge& edge : solid.edges) {
     const bool is_first = is_seen(edge.face[0]);
     if (is_first == is_seen(edge.face[1])) continue;
     const std::uint32_t face = edge.face[is_first ? 0 : 1], side = edge.side[is_first ? 0 : 1];

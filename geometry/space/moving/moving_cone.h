@@ -48,7 +48,7 @@ class MovingCutter3 {
   };
   void set_cone(std::uint32_t body, int facing, bool is_antipodal, Cone& cone) const;
   // Of a solid. REQUIRES: `facings` are those of its faces, and one at least is seen from outside.
-  void set_cone(const PairBodies3::Solid& solid, std::span<const signed char> facings, bool is_antipodal,
+  void set_cone(const PairGeometry3::Solid& solid, std::span<const signed char> facings, bool is_antipodal,
                 Cone& cone) const;
   // Of joined bodies, and relies on its being one. False where it is none: `cone` is then any.
   bool set_cone(const JoinedBodies3::Group& group, bool is_antipodal, Cone& cone);

@@ -19,7 +19,7 @@ std::uint64_t key_of(std::uint32_t a, std::uint32_t b) {
 
 }  // namespace
 
-MovingPlanes3::MovingPlanes3(const PairBodies3& bodies) : bodies_(bodies) {
+MovingPlanes3::MovingPlanes3(const PairGeometry3& bodies) : bodies_(bodies) {
   add_lines();
   const auto count = static_cast<std::uint32_t>(bodies.bodies.size());
   first_face_ = static_cast<std::uint32_t>(planes_.size());
@@ -31,7 +31,7 @@ MovingPlanes3::MovingPlanes3(const PairBodies3& bodies) : bodies_(bodies) {
     plane.normal.first = bodies.bodies[k].normal;
     plane.normal.terms[0] = bodies.bodies[k].normal.size;
   }
-  for (const PairBodies3::Body& body : bodies.bodies) {
+  for (const PairGeometry3::Body& body : bodies.bodies) {
     std::vector<PlaneSide3>& sides = sides_.emplace_back();
     for (std::size_t c = 0; c < body.corners.size(); ++c)
       sides.push_back(line(body.corners[c], body.corners[(c + 1) % body.corners.size()]));
@@ -63,7 +63,7 @@ void MovingPlanes3::add_lines() {
       plane.a = a;
       plane.b = b;
       plane.bodies[0] = k;
-      const PairBodies3::Point &p = bodies_.points[a], &q = bodies_.points[b];
+      const PairGeometry3::Point &p = bodies_.points[a], &q = bodies_.points[b];
       const double size = p.approximate_weight * q.approximate.size + q.approximate_weight * p.approximate.size;
       if (!p.is_far() && p.approximate.error == 0 && q.approximate.error == 0 && size <= kExactLimit) {
         const double v = p.approximate_weight, w = q.approximate_weight;
@@ -102,7 +102,7 @@ void MovingPlanes3::look_from(const Stretch3& stretch) {
     const BoundedVector from = rounded(stretch.from, 0), way = rounded(stretch.way, 0);
     const double weight = truncated_double(stretch.weight);
     for (std::size_t k = 0; k < count && is_small_; ++k) {
-      const PairBodies3::Point& p = bodies_.points[k];
+      const PairGeometry3::Point& p = bodies_.points[k];
       if (p.is_far()) {
         offsets_[k] = p.approximate;
         drifts_[k] = {};
@@ -124,7 +124,7 @@ void MovingPlanes3::look_from(const Stretch3& stretch) {
   std::vector<IntegerVector> exact;
   exact.reserve(count);
   long top = 0;
-  for (const PairBodies3::Point& p : bodies_.points) {
+  for (const PairGeometry3::Point& p : bodies_.points) {
     if (p.is_far()) {
       exact.emplace_back();
       continue;
@@ -179,7 +179,7 @@ void MovingPlanes3::cone_sides(std::uint32_t body, int facing, bool is_antipodal
 }
 
 MovingPlanes3::Values MovingPlanes3::height(std::uint32_t body) {
-  const PairBodies3::Body& b = bodies_.bodies[body];
+  const PairGeometry3::Body& b = bodies_.bodies[body];
   const std::uint32_t anchor = b.corners.front();
   const BoundedValue product = dot(b.normal, toward_[anchor]);
   const double weight = bodies_.points[anchor].approximate_weight;
@@ -208,9 +208,9 @@ void MovingPlanes3::find_line(Plane& plane) {
 
 // With h the height of the planes over the point: m = s (h_k N_patch - h_patch N_k), s the sign of h_k.
 void MovingPlanes3::find_crossing(Plane& plane) {
-  const PairBodies3::Body &k = bodies_.bodies[plane.a], &patch = bodies_.bodies[plane.b];
+  const PairGeometry3::Body &k = bodies_.bodies[plane.a], &patch = bodies_.bodies[plane.b];
   Values hk = height(plane.a), hp = height(plane.b);
-  const auto slope = [this](const PairBodies3::Body& body) {
+  const auto slope = [this](const PairGeometry3::Body& body) {
     const std::uint32_t anchor = body.corners.front();
     return dot(plain(body.normal), moves_[anchor]) / bodies_.points[anchor].approximate_weight;
   };
@@ -232,7 +232,7 @@ void MovingPlanes3::find_crossing(Plane& plane) {
                         hp.error * (n.size + n.error) + b * n.error) +
                 detail::kUnderflow;
   plane.normal.second = k_slope * plain(m) - p_slope * plain(n);
-  const auto slope_size = [this](const PairBodies3::Body& body) {
+  const auto slope_size = [this](const PairGeometry3::Body& body) {
     const std::uint32_t anchor = body.corners.front();
     return 3 * body.normal.size * size_of(moves_[anchor]) / bodies_.points[anchor].approximate_weight;
   };

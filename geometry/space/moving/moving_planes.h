@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/space/between/pair_bodies.h"
+#include "geometry/space/between/pair_geometry.h"
 #include "geometry/space/moving/known_zeros.h"
 #include "geometry/space/moving/moving_corner.h"
 #include "geometry/space/stretches/stretch.h"
@@ -41,9 +41,9 @@ struct SightCorner3;
 // The planes of a pair have numbers that hold for all its stretches. For one thread.
 class MovingPlanes3 {
  public:
-  explicit MovingPlanes3(const PairBodies3& bodies);
+  explicit MovingPlanes3(const PairGeometry3& bodies);
 
-  const PairBodies3& bodies() const { return bodies_; }
+  const PairGeometry3& bodies() const { return bodies_; }
 
   // Takes another line. REQUIRES: it outlives this, or the next call.
   void take(const Stretch3& stretch);
@@ -235,7 +235,7 @@ class MovingPlanes3 {
   // The powers about the t where it is shortest between low and high, multiplied with one number, and t.
   std::pair<ExactPolynomial, double> about_shortest(const ExactPolynomial& exact, double low, double high) const;
 
-  const PairBodies3& bodies_;
+  const PairGeometry3& bodies_;
   std::vector<Plane> planes_;
   std::unordered_map<std::uint64_t, std::uint32_t> line_numbers_;
   std::vector<std::vector<PlaneSide3>> sides_;  // of the cones of bodies whose back is seen

@@ -81,7 +81,7 @@ void MovingPlanes3::keep(std::uint32_t body, const Quadratic& near, int sign) {
 
 std::array<Integer, 3> MovingPlanes3::exact_powers(const KeptSign& kept) {
   if (kept.body == kNoBody) return exact_determinant(kept.corner, kept.plane);
-  const PairBodies3::Body& b = bodies_.bodies[kept.body];
+  const PairGeometry3::Body& b = bodies_.bodies[kept.body];
   return {exact_height(kept.body), dot(b.exact_normal(), exact_drift(b.corners.front())), 0};
 }
 

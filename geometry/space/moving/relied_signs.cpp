@@ -25,7 +25,7 @@ inline bool MovingPlanes3::is_far_from_zero(const std::array<double, 3>& c, cons
 int MovingPlanes3::facing(std::uint32_t body) {
   if (bodies_.is_far(body)) return 1;
   if (in_face_[body] == stretch_stamp_) return 0;
-  const PairBodies3::Body& b = bodies_.bodies[body];
+  const PairGeometry3::Body& b = bodies_.bodies[body];
   const std::uint32_t anchor = b.corners.front();
   const BoundedVector& w = toward_[anchor];
   const BoundedValue product = dot(b.normal, w);

@@ -9,7 +9,7 @@
 namespace hottel {
 
 // A direction in which what is seen has a corner: to a point, or where two planes through the eye meet, each through an
-// edge, or through where surfaces meet each other. Points and bodies are those of PairBodies3.
+// edge, or through where surfaces meet each other. Points and bodies are those of PairGeometry3.
 struct SightCorner3 {
   std::uint64_t label = 0;                          // equal for equal corners of one pair
   std::optional<std::uint32_t> point;               // else:

@@ -25,7 +25,7 @@ Direction3 ratio(const IntegerVector& numerator, const Integer& denominator, lon
 
 }  // namespace
 
-EdgeSum3::EdgeSum3(const PairBodies3& bodies, const MomentOrigin3& origin, long shift, std::size_t most_bytes)
+EdgeSum3::EdgeSum3(const PairGeometry3& bodies, const MomentOrigin3& origin, long shift, std::size_t most_bytes)
     : bodies_(bodies),
       origin_(origin),
       shift_(shift),
@@ -49,7 +49,7 @@ void EdgeSum3::set_expected_residual(EdgeIntegral3<Real>& integral) const {
   if (origin_.is_on_common_line()) integral.expect_residual(direction_of_both_normals<Real>(bodies_));
 }
 
-bool EdgeSum3::add(const std::vector<PairStretch3>& stretches, PairMeasure3& result) {
+bool EdgeSum3::add(const std::vector<PairStretch3>& stretches, PairResult3& result) {
   std::vector<StretchPiece3> pieces;
   stretches_ = &stretches;
   for (const PairStretch3& stretch : stretches) {
@@ -256,7 +256,7 @@ const EdgeSum3::Seen& EdgeSum3::stretch_of(std::uint32_t piece) const {
 
 // Whether a point is a corner of one of both patches and of nothing else.
 bool EdgeSum3::is_of_patches_alone(std::uint32_t point) const {
-  const auto has = [&](const PairBodies3::Body& body) {
+  const auto has = [&](const PairGeometry3::Body& body) {
     return std::ranges::find(body.corners, point) != body.corners.end();
   };
   return std::none_of(bodies_.bodies.begin() + 2, bodies_.bodies.end(), has);

@@ -19,13 +19,13 @@ namespace hottel {
 class EdgeSum3 {
  public:
   // REQUIRES: both outlive this.
-  EdgeSum3(const PairBodies3& bodies, const MomentOrigin3& origin, long shift,
+  EdgeSum3(const PairGeometry3& bodies, const MomentOrigin3& origin, long shift,
            std::size_t most_bytes = kMostBytesOfArcs3);
   EdgeSum3(const EdgeSum3&) = delete;  // the mapper knows where its parts are
   EdgeSum3& operator=(const EdgeSum3&) = delete;
 
   // False where a stretch could not be divided. REQUIRES: the stretches outlive this.
-  bool add(const std::vector<PairStretch3>& stretches, PairMeasure3& result);
+  bool add(const std::vector<PairStretch3>& stretches, PairResult3& result);
 
   bool is_empty() const { return seen_.empty(); }
   // How far from the origin a stretch reaches along which something is seen, about.
@@ -101,7 +101,7 @@ class EdgeSum3 {
   template <class Real>
   void widen(std::optional<EdgeIntegral3<Real>>& integral);
 
-  const PairBodies3& bodies_;
+  const PairGeometry3& bodies_;
   const MomentOrigin3& origin_;
   long shift_;
   std::size_t most_bytes_;

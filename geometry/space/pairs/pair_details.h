@@ -30,7 +30,7 @@ struct PairDetails3 {
   struct Piece {
     double low, high;                // of t
     std::uint32_t arcs;              // that bound what is seen
-    double measure;                  // what it adds to S, as PairMeasure3
+    double measure;                  // what it adds to S, as PairResult3
     std::vector<ArcEnd3> signature;  // as StretchPiece3
     std::vector<Corner> corners;     // where they are wanted
   };

@@ -22,7 +22,7 @@ Rational quotient(const Integer& numerator, const Integer& denominator) {
 
 class StretchFinder {
  public:
-  StretchFinder(const PairSetting3& setting, const SurfaceStretches3& stretches)
+  StretchFinder(const PairOccluders3& setting, const SurfaceStretches3& stretches)
       : bodies_(setting.bodies), setting_(setting), stretches_(stretches) {
     for (std::uint32_t body = 2; body < bodies_.end_of_between(); ++body) numbers_[bodies_.bodies[body].surface] = body;
   }
@@ -171,8 +171,8 @@ class StretchFinder {
     return low < high;
   }
 
-  const PairBodies3& bodies_;
-  const PairSetting3& setting_;
+  const PairGeometry3& bodies_;
+  const PairOccluders3& setting_;
   const SurfaceStretches3& stretches_;
   std::unordered_map<std::uint32_t, std::uint32_t> numbers_;  // of surfaces among the bodies
   std::uint32_t own_ = 0, other_surface_ = 0;
@@ -182,7 +182,7 @@ class StretchFinder {
 
 }  // namespace
 
-std::vector<PairStretch3> pair_stretches(const PairSetting3& setting, const SurfaceStretches3& stretches,
+std::vector<PairStretch3> pair_stretches(const PairOccluders3& setting, const SurfaceStretches3& stretches,
                                          const Patch3& i, const Patch3& j) {
   StretchFinder finder(setting, stretches);
   finder.add_patch(i, 0, j);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "geometry/space/between/pair_setting.h"
+#include "geometry/space/between/pair_occluders.h"
 #include "geometry/space/pieces/stretch_map.h"
 #include "geometry/space/stretches/surface_stretches.h"
 
@@ -15,7 +15,7 @@ namespace hottel {
 //
 //   (1) each is there once; order depends on the pair alone
 //   (2) those along which nothing is seen, by where they lie, may be left out
-std::vector<PairStretch3> pair_stretches(const PairSetting3& setting, const SurfaceStretches3& stretches,
+std::vector<PairStretch3> pair_stretches(const PairOccluders3& setting, const SurfaceStretches3& stretches,
                                          const Patch3& i, const Patch3& j);
 
 }  // namespace hottel

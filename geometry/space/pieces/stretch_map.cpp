@@ -43,14 +43,14 @@ constexpr auto kPrecedes = [](const ArcEnd3& a, const ArcEnd3& b) {
 
 }  // namespace
 
-StretchMapper3::StretchMapper3(const PairBodies3& bodies)
+StretchMapper3::StretchMapper3(const PairGeometry3& bodies)
     : bodies_(bodies),
       planes_(bodies),
       cutter_(planes_),
       hull_(bodies),
       cover_(bodies),
       joined_(bodies),
-      solid_of_(bodies.count(), PairBodies3::Solid::kNone) {
+      solid_of_(bodies.count(), PairGeometry3::Solid::kNone) {
   for (std::uint32_t solid = 0; solid < bodies.solids.size(); ++solid)
     for (const std::uint32_t face : bodies.solids[solid].faces) solid_of_[face] = solid;
 }
@@ -145,7 +145,7 @@ void StretchMapper3::find_bodies(const PairStretch3& stretch) {
                                      [body](const PairStretch3::Face& face) { return face.body == body; });
       if (is_at || hull_.hides_nothing(body)) continue;
       const std::uint32_t solid = solid_of_[body];
-      if (solid == PairBodies3::Solid::kNone) {
+      if (solid == PairGeometry3::Solid::kNone) {
         between_[patch].push_back(body);
         continue;
       }
@@ -185,7 +185,7 @@ void StretchMapper3::join_bodies() {
 
 // Not where a part of it may be behind the patch; and the stretch is to be within its lid, so that lines do not come in
 // there.
-bool StretchMapper3::hides_as_one(const PairBodies3::Solid& solid, const PairStretch3& stretch,
+bool StretchMapper3::hides_as_one(const PairGeometry3::Solid& solid, const PairStretch3& stretch,
                                   std::uint32_t patch) const {
   if (!solid.may_hide[patch]) return false;
   if (!solid.exact->lid) return true;
@@ -285,7 +285,7 @@ void StretchMapper3::see(const PairStretch3& stretch, MovingFragment3& start, in
 StretchMapper3::Hides StretchMapper3::hides(std::uint32_t body, int facing, std::uint32_t patch) const {
   if (!bodies_.of_body[body][patch].has_front) return Hides::kNever;
   if (!bodies_.of_body[body][patch].has_behind) return Hides::kWhole;
-  const PairBodies3::Side& side = bodies_.of_patch[body][patch];
+  const PairGeometry3::Side& side = bodies_.of_patch[body][patch];
   const bool is_before = facing > 0 ? side.has_front : side.has_behind;
   const bool is_beyond = facing > 0 ? side.has_behind : side.has_front;
   if (!is_before) return Hides::kWhole;
@@ -342,7 +342,7 @@ void StretchMapper3::take_away_body(const PairStretch3& stretch, std::uint32_t b
 
 // From within, none of its faces is seen from outside: then each hides by itself.
 void StretchMapper3::take_away_solid(const PairStretch3& stretch, std::uint32_t number, std::uint32_t patch, int sign) {
-  const PairBodies3::Solid& solid = bodies_.solids[number];
+  const PairGeometry3::Solid& solid = bodies_.solids[number];
   facings_.clear();
   bool is_outside = false;
   for (std::size_t k = 0; k < solid.faces.size(); ++k) {

@@ -45,7 +45,7 @@ struct PairStretch3 {
 // Divides stretches into parts along which what is seen is bounded by the same arcs.
 class StretchMapper3 {
  public:
-  explicit StretchMapper3(const PairBodies3& bodies);
+  explicit StretchMapper3(const PairGeometry3& bodies);
 
   // Appends the parts of a stretch in which something is seen, without their arcs. False where it took too many steps.
   bool divide(const PairStretch3& stretch, std::vector<StretchPiece3>& pieces);
@@ -88,7 +88,7 @@ class StretchMapper3 {
   bool look(const PairStretch3& stretch, double low, double high, StretchPiece3& piece);
   bool find_sides(const PairStretch3& stretch);
   void find_bodies(const PairStretch3& stretch);
-  bool hides_as_one(const PairBodies3::Solid& solid, const PairStretch3& stretch, std::uint32_t patch) const;
+  bool hides_as_one(const PairGeometry3::Solid& solid, const PairStretch3& stretch, std::uint32_t patch) const;
   void find_view(const PairStretch3& stretch);
   bool find_start(const PairStretch3& stretch);
   void see_on_both_sides(const PairStretch3& stretch);
@@ -108,7 +108,7 @@ class StretchMapper3 {
   static void add_near_zero(const MovingVector3& vector, StretchPiece3& piece);
   MovingCorner3 corner_of(std::uint64_t label);
 
-  const PairBodies3& bodies_;
+  const PairGeometry3& bodies_;
   MovingPlanes3 planes_;
   const PairStretch3* taken_ = nullptr;  // by planes_
   MovingCutter3 cutter_;

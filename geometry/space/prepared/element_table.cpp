@@ -155,24 +155,24 @@ ElementCounts3 element_counts(const Scene3& scene, Granularity granularity) {
   return counts;
 }
 
-ElementTable3::ElementTable3(const Scene3& scene, const Arrangement3& arrangement, const Blockers3& blockers,
+ElementTable3::ElementTable3(const Scene3& scene, const Arrangement3& arrangement, const Occluders3& occluders,
                              Granularity granularity)
     : is_by_group_(granularity == Granularity::kGroup) {
-  HOTTEL_REQUIRE(arrangement.pieces().size() == blockers.size());
+  HOTTEL_REQUIRE(arrangement.pieces().size() == occluders.size());
   if (const std::uint64_t count = element_counts(scene, granularity).all; count > kMostElements)
     throw RequestError("the scene would have " + std::to_string(count) + " elements; there may be " +
                        std::to_string(kMostElements));
   if (is_by_group_)
-    add_groups(scene, arrangement, blockers);
+    add_groups(scene, arrangement, occluders);
   else
-    add_faces(scene, arrangement, blockers, granularity);
+    add_faces(scene, arrangement, occluders, granularity);
   holders_ = is_by_group_ ? 2 * static_cast<std::uint32_t>(scene.surfaces.size()) : count();
-  if (blockers.size() > 0) parts_.push_back({Patch3::all_of_the_sky(), sky(), holders_, false});
+  if (occluders.size() > 0) parts_.push_back({Patch3::all_of_the_sky(), sky(), holders_, false});
   for (const Part& part : parts_) {
     while (begin_.size() <= part.label) begin_.push_back(static_cast<std::size_t>(&part - parts_.data()));
   }
   begin_.resize(std::size_t{sky()} + 2, parts_.size());
-  measure(blockers, add_contacts(scene, blockers.vertices()), square_metres_per_unit(scene));
+  measure(occluders, add_contacts(scene, occluders.vertices()), square_metres_per_unit(scene));
 }
 
 bool ElementTable3::has_contact(std::uint32_t label) const {
@@ -192,13 +192,13 @@ void ElementTable3::add_parts(FacePatches3 patches, std::uint32_t label, std::ui
   for (SidePatch3& some : patches.patches) parts_.push_back({std::move(some.patch), label, holder, some.is_back});
 }
 
-void ElementTable3::add_faces(const Scene3& scene, const Arrangement3& arrangement, const Blockers3& blockers,
+void ElementTable3::add_faces(const Scene3& scene, const Arrangement3& arrangement, const Occluders3& occluders,
                               Granularity granularity) {
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     const Surface& surface = scene.surfaces[s];
     std::optional<Divided> divided;
     if (is_divided(surface, false, granularity) || is_divided(surface, true, granularity))
-      divided.emplace(scene.polygons[s], surface, blockers.vertices());
+      divided.emplace(scene.polygons[s], surface, occluders.vertices());
     for (const bool is_back : {false, true}) {
       const Face face{s, is_back};
       const std::optional<std::uint32_t> material = surface.material_of(is_back);
@@ -213,21 +213,21 @@ void ElementTable3::add_faces(const Scene3& scene, const Arrangement3& arrangeme
         elements_.push_back({element_name(name, parts, leaf), s, leaf.part, parts, is_back, material, {}, leaf.path});
         const std::uint32_t label = count() - 1;
         if (!elements_.back().is_part()) {
-          add_parts(face_patches(arrangement, blockers, face), label, label);
+          add_parts(face_patches(arrangement, occluders, face), label, label);
         } else if (whole) {
           Patch3 patch = divided->patch(leaf, *whole);
           if (is_back) turn_round(patch);
           parts_.push_back({std::move(patch), label, label, is_back});
         } else {
           const std::vector<Point3> corners = divided->corners(leaf);
-          add_parts(face_patches(arrangement, blockers, face, &corners), label, label);
+          add_parts(face_patches(arrangement, occluders, face, &corners), label, label);
         }
       }
     }
   }
 }
 
-void ElementTable3::add_groups(const Scene3& scene, const Arrangement3& arrangement, const Blockers3& blockers) {
+void ElementTable3::add_groups(const Scene3& scene, const Arrangement3& arrangement, const Occluders3& occluders) {
   constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   // The label of the fronts of each group; that of its backs is the next one.
   std::vector<std::uint32_t> first(scene.groups.size(), kNone);
@@ -243,7 +243,7 @@ void ElementTable3::add_groups(const Scene3& scene, const Arrangement3& arrangem
       else if (material)
         elements_[label + is_back].material = material;
       const Face face{s, is_back};
-      add_parts(face_patches(arrangement, blockers, face), label + is_back, face.number());
+      add_parts(face_patches(arrangement, occluders, face), label + is_back, face.number());
     }
   }
   std::stable_sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) { return a.label < b.label; });
@@ -287,9 +287,9 @@ std::vector<ElementTable3::Share> ElementTable3::add_contacts(const Scene3& scen
   return shares;
 }
 
-void ElementTable3::measure(const Blockers3& blockers, const std::vector<Share>& of_contacts,
+void ElementTable3::measure(const Occluders3& occluders, const std::vector<Share>& of_contacts,
                             const Rational& square_metres) {
-  const Vertices3& vertices = blockers.vertices();
+  const Vertices3& vertices = occluders.vertices();
   const Rational told = vertices.scale() * vertices.scale() * square_metres;
   const Rational of_doubles = scaled_by_power_of_two(1, -2 * vertices.shift());
   std::multimap<std::uint32_t, Share> touched;
@@ -303,7 +303,7 @@ void ElementTable3::measure(const Blockers3& blockers, const std::vector<Share>&
   for (std::uint32_t label = 0; label < count(); ++label) {
     AreaSum3 area;
     for (const Part& part : free_parts(label)) {
-      const IntegerVector& normal = blockers.exact_normal(part.patch.surface);
+      const IntegerVector& normal = occluders.exact_normal(part.patch.surface);
       area.add(doubled_share(part.patch, normal) / 2, dot(normal, normal));
     }
     const auto [touch, last] = touched.equal_range(label);

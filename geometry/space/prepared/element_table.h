@@ -11,7 +11,7 @@
 
 #include "geometry/element.h"
 #include "geometry/space/arrangement/arrangement.h"
-#include "geometry/space/arrangement/blockers.h"
+#include "geometry/space/arrangement/occluders.h"
 #include "geometry/space/arrangement/patch.h"
 #include "geometry/space/prepared/face_patches.h"
 #include "geometry/space/scene/scene.h"
@@ -38,17 +38,17 @@ ElementCounts3 element_counts(const Scene3& scene, Granularity granularity);
 //       one, all of it. Patches are in the order of their elements; corners of backs run the other way round, from the
 //       same first one
 //   (4) areas are of what is not covered, correctly rounded, in m² where the unit of the scene is known, else in its
-//       squares; extent() encloses them in the unit of PairMeasurer3. An
+//       squares; extent() encloses them in the unit of PairIntegrator3. An
 //       element that other faces or solids leave nothing of has no patch, the area 0 and no row
 //   (5) where a mask lies on its base, elements of both see each other across no distance: contacts(). They have no
 //       patch there, but the area
 //
 // Throws RequestError for more elements than can be numbered.
-// REQUIRES: the arrangement is that of the scene, and the blockers are its pieces. COST: some 5 microseconds and 500
+// REQUIRES: the arrangement is that of the scene, and the occluders are its pieces. COST: some 5 microseconds and 500
 // bytes an element.
 class ElementTable3 {
  public:
-  ElementTable3(const Scene3& scene, const Arrangement3& arrangement, const Blockers3& blockers,
+  ElementTable3(const Scene3& scene, const Arrangement3& arrangement, const Occluders3& occluders,
                 Granularity granularity);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(elements_.size()); }
@@ -99,14 +99,14 @@ class ElementTable3 {
   const Rounded& extent(std::uint32_t label) const { return extents_[label]; }
 
  private:
-  void add_faces(const Scene3& scene, const Arrangement3& arrangement, const Blockers3& blockers,
+  void add_faces(const Scene3& scene, const Arrangement3& arrangement, const Occluders3& occluders,
                  Granularity granularity);
-  void add_groups(const Scene3& scene, const Arrangement3& arrangement, const Blockers3& blockers);
+  void add_groups(const Scene3& scene, const Arrangement3& arrangement, const Occluders3& occluders);
   void add_parts(FacePatches3 patches, std::uint32_t label, std::uint32_t holder);
   // Returns the area of each contact as an AreaSum3 takes it: a multiple of a length that is given by its square.
   using Share = std::pair<Rational, Integer>;
   std::vector<Share> add_contacts(const Scene3& scene, const Vertices3& vertices);
-  void measure(const Blockers3& blockers, const std::vector<Share>& of_contacts, const Rational& square_metres);
+  void measure(const Occluders3& occluders, const std::vector<Share>& of_contacts, const Rational& square_metres);
 
   std::vector<Element> elements_;
   std::vector<Part> parts_;

@@ -50,8 +50,8 @@ std::pair<std::vector<IntegerVector>, Integer> integer_points(const Vertices3& v
   return {std::move(result), std::move(weight)};
 }
 
-Patch3 patch_of(const Blockers3& blockers, std::uint32_t piece, const std::vector<Point3>& corners, bool is_back) {
-  auto [integers, weight] = integer_points(blockers.vertices(), corners);
+Patch3 patch_of(const Occluders3& occluders, std::uint32_t piece, const std::vector<Point3>& corners, bool is_back) {
+  auto [integers, weight] = integer_points(occluders.vertices(), corners);
   Patch3 patch{.surface = piece, .corners = std::move(integers), .weight = std::move(weight)};
   if (is_back) turn_round(patch);
   return patch;
@@ -66,7 +66,7 @@ std::vector<Point3> corners_of(const Vertices3& vertices, const Patch3& patch) {
   return corners;
 }
 
-FacePatches3 face_patches(const Arrangement3& arrangement, const Blockers3& blockers, const Face& face,
+FacePatches3 face_patches(const Arrangement3& arrangement, const Occluders3& occluders, const Face& face,
                           const std::vector<Point3>* part) {
   FacePatches3 result;
   std::optional<Clipper> clipper;
@@ -76,7 +76,7 @@ FacePatches3 face_patches(const Arrangement3& arrangement, const Blockers3& bloc
     const Cover cover = piece.side(side.is_back).cover;
     if (cover == Cover::kCovered) continue;
     if (part != nullptr && piece.is_whole && cover == Cover::kFree) {
-      result.patches.push_back({patch_of(blockers, side.piece, *part, side.is_back), side.is_back});
+      result.patches.push_back({patch_of(occluders, side.piece, *part, side.is_back), side.is_back});
       continue;
     }
     const auto of_piece = [&](const std::vector<Point3>& polygon) {
@@ -84,9 +84,9 @@ FacePatches3 face_patches(const Arrangement3& arrangement, const Blockers3& bloc
     };
     const std::vector<Point3> whole = of_piece(piece.polygon.points);
     if (whole.empty()) continue;
-    const SidePatch3 patch{
-        clipper ? patch_of(blockers, side.piece, whole, side.is_back) : whole_patch(blockers, side.piece, side.is_back),
-        side.is_back};
+    const SidePatch3 patch{clipper ? patch_of(occluders, side.piece, whole, side.is_back)
+                                   : whole_patch(occluders, side.piece, side.is_back),
+                           side.is_back};
     if (cover == Cover::kFree) {
       result.patches.push_back(patch);
       if (!result.is_free) result.free.push_back(patch);
@@ -96,7 +96,7 @@ FacePatches3 face_patches(const Arrangement3& arrangement, const Blockers3& bloc
     Vector3 rest = doubled_area({whole, {}});
     for (const Polygon3& polygon : piece.side(side.is_back).free)
       if (const auto corners = of_piece(polygon.points); !corners.empty()) {
-        free.push_back({patch_of(blockers, side.piece, corners, side.is_back), side.is_back});
+        free.push_back({patch_of(occluders, side.piece, corners, side.is_back), side.is_back});
         const Vector3 area = doubled_area({corners, {}});
         rest = {rest.x - area.x, rest.y - area.y, rest.z - area.z};
       }

@@ -7,7 +7,7 @@
 
 #include "geometry/face.h"
 #include "geometry/space/arrangement/arrangement.h"
-#include "geometry/space/arrangement/blockers.h"
+#include "geometry/space/arrangement/occluders.h"
 #include "geometry/space/arrangement/patch.h"
 
 namespace hottel {
@@ -36,12 +36,12 @@ struct FacePatches3 {
 // Returns the patches of a face, or those of a part of it: a convex polygon with corners in scene coordinates, its
 // front as that of the surface.
 //
-// REQUIRES: the blockers are the pieces of the arrangement.
-FacePatches3 face_patches(const Arrangement3& arrangement, const Blockers3& blockers, const Face& face,
+// REQUIRES: the occluders are the pieces of the arrangement.
+FacePatches3 face_patches(const Arrangement3& arrangement, const Occluders3& occluders, const Face& face,
                           const std::vector<Point3>* part = nullptr);
 
 // Returns a convex polygon of a piece as a patch; its front is that of the piece, and is_back turns it round.
-Patch3 patch_of(const Blockers3& blockers, std::uint32_t piece, const std::vector<Point3>& corners, bool is_back);
+Patch3 patch_of(const Occluders3& occluders, std::uint32_t piece, const std::vector<Point3>& corners, bool is_back);
 
 // Returns points of the scene in integer form times their least common denominator, and that: 1 where all are vertices.
 std::pair<std::vector<IntegerVector>, Integer> integer_points(const Vertices3& vertices,

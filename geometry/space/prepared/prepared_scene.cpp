@@ -15,7 +15,7 @@ PreparedScene3::PreparedScene3(Scene3 its_scene, std::shared_ptr<const Ready> of
       tables_(std::make_shared<ElementTables<ElementTable3>>()) {}
 
 std::shared_ptr<const ElementTable3> PreparedScene3::elements(Granularity granularity) const {
-  return tables_->of(granularity, [&] { return ElementTable3(scene, arrangement(), blockers(), granularity); });
+  return tables_->of(granularity, [&] { return ElementTable3(scene, arrangement(), occluders(), granularity); });
 }
 
 PreparedScene3 prepare(Scene3 scene) {

@@ -1,4 +1,4 @@
-// A preprocessed scene in space: its pieces as blockers, and what measures pairs among them.
+// A preprocessed scene in space: its pieces as occluders, and what measures pairs among them.
 #pragma once
 
 #include <memory>
@@ -6,8 +6,8 @@
 
 #include "geometry/element_tables.h"
 #include "geometry/space/arrangement/arrangement.h"
-#include "geometry/space/arrangement/blockers.h"
-#include "geometry/space/pairs/pair_measure.h"
+#include "geometry/space/arrangement/occluders.h"
+#include "geometry/space/pairs/pair_integrator.h"
 #include "geometry/space/scene/scene.h"
 
 namespace hottel {
@@ -16,17 +16,17 @@ class ElementTable3;
 
 // What every computation of view factors in space receives.
 //
-//   (1) blockers are the pieces of the arrangement: a "surface" of blockers and patches is a piece. How polygons are
+//   (1) occluders are the pieces of the arrangement: a "surface" of occluders and patches is a piece. How polygons are
 //       divided into elements plays no part
 //   (2) while nobody changes it, any number of threads may use it at once
-//   (3) copies share the arrangement, the blockers and the tables of elements, which live as long as one of them
+//   (3) copies share the arrangement, the occluders and the tables of elements, which live as long as one of them
 //   (4) a table of elements is made when it is first asked for, once
 struct PreparedScene3 {
   struct Ready {
-    explicit Ready(const Scene3& scene) : arrangement(scene), blockers(arrangement.polygons()), measurer(blockers) {}
+    explicit Ready(const Scene3& scene) : arrangement(scene), occluders(arrangement.polygons()), measurer(occluders) {}
     Arrangement3 arrangement;
-    Blockers3 blockers;
-    PairMeasurer3 measurer;
+    Occluders3 occluders;
+    PairIntegrator3 measurer;
   };
 
   Scene3 scene;
@@ -40,8 +40,8 @@ struct PreparedScene3 {
   PreparedScene3 under(Scene3 other) const { return {std::move(other), ready, seconds}; }
 
   const Arrangement3& arrangement() const { return ready->arrangement; }
-  const Blockers3& blockers() const { return ready->blockers; }
-  const PairMeasurer3& measurer() const { return ready->measurer; }
+  const Occluders3& occluders() const { return ready->occluders; }
+  const PairIntegrator3& measurer() const { return ready->measurer; }
   // Which patches each element is made of. COST: that of the table, for the first who asks.
   std::shared_ptr<const ElementTable3> elements(Granularity granularity) const;
 
@@ -50,7 +50,7 @@ struct PreparedScene3 {
 };
 
 // Prepares a scene. Throws InputError as Arrangement3 does. REQUIRES: a valid scene (validate). COST: that of
-// Arrangement3 and Blockers3.
+// Arrangement3 and Occluders3.
 PreparedScene3 prepare(Scene3 scene);
 
 }  // namespace hottel

@@ -35,7 +35,7 @@ Enclosure over_full_turn(const Ball3<double>& sum) {
 
 }  // namespace
 
-EdgeEnclosure3::EdgeEnclosure3(const PairBodies3& bodies, const MomentOrigin3& origin, long shift)
+EdgeEnclosure3::EdgeEnclosure3(const PairGeometry3& bodies, const MomentOrigin3& origin, long shift)
     : bodies_(bodies), origin_(origin), shift_(shift), mapper_(bodies), extents_{extent(0), extent(1)} {}
 
 EdgeEnclosure3::Extent EdgeEnclosure3::extent(std::uint32_t patch) const {

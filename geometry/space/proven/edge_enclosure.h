@@ -23,7 +23,7 @@ namespace hottel {
 class EdgeEnclosure3 {
  public:
   // REQUIRES: both outlive this.
-  EdgeEnclosure3(const PairBodies3& bodies, const MomentOrigin3& origin, long shift);
+  EdgeEnclosure3(const PairGeometry3& bodies, const MomentOrigin3& origin, long shift);
 
   // Of the stretches of a pair. `allowed`: half of how wide it should be; it is not wider than it must for that.
   Enclosure enclose(const std::vector<PairStretch3>& stretches, double allowed);
@@ -47,7 +47,7 @@ class EdgeEnclosure3 {
   Ball3<double> enclose(const PairStretch3& stretch, const SurePart3& part, const ProvenMoment3<Real>& moment,
                         double allowed, double most);
 
-  const PairBodies3& bodies_;
+  const PairGeometry3& bodies_;
   const MomentOrigin3& origin_;
   long shift_;
   StretchMapper3 mapper_;

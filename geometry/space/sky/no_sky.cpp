@@ -24,23 +24,23 @@ struct Shell {
 
 // Turns the polygons of a component so that each edge is passed in both directions; nothing where they cannot be.
 // `turn_of`, 0 for its polygons, is set for them.
-std::optional<Shell> shell_of(const Blockers3& blockers, const EdgeComponents3& components, const SurfaceBoxes3& boxes,
-                              std::uint32_t component, std::vector<signed char>& turn_of) {
+std::optional<Shell> shell_of(const Occluders3& occluders, const EdgeComponents3& components,
+                              const SurfaceBoxes3& boxes, std::uint32_t component, std::vector<signed char>& turn_of) {
   const std::vector<std::uint32_t>& polygons = components.all()[component];
   for (const std::uint32_t s : polygons)
-    for (const DirectedEdge3& side : blockers.edges(s))
+    for (const DirectedEdge3& side : occluders.edges(s))
       if (components.of_edge(side.edge).size() != 2) return std::nullopt;
   std::vector<std::pair<std::uint32_t, int>> turned{{polygons.front(), 1}};
   turn_of[polygons.front()] = 1;
   const auto passes = [&](std::uint32_t s, EdgeId3 edge) {
-    const auto sides = blockers.edges(s);
+    const auto sides = occluders.edges(s);
     return std::ranges::find(sides, edge, &DirectedEdge3::edge)->is_backward ? -1 : 1;
   };
   Shell shell{component, {}, {}};
   for (std::size_t k = 0; k < turned.size(); ++k) {
     const auto [s, turn] = turned[k];
     shell.box.include(boxes.of(s));
-    for (const DirectedEdge3& side : blockers.edges(s))
+    for (const DirectedEdge3& side : occluders.edges(s))
       for (const std::uint32_t next : components.of_edge(side.edge)) {
         if (next == s) continue;
         const int needed = -turn * passes(s, side.edge) * passes(next, side.edge);
@@ -60,22 +60,22 @@ std::optional<Shell> shell_of(const Blockers3& blockers, const EdgeComponents3& 
 // their backs, less the other way. Exact.
 class WindingNumber {
  public:
-  WindingNumber(const Blockers3& blockers, const Shell& shell) : blockers_(blockers), shell_(shell) {}
+  WindingNumber(const Occluders3& occluders, const Shell& shell) : occluders_(occluders), shell_(shell) {}
 
   int of(std::uint32_t polygon, bool is_back) const {
-    const auto corners = blockers_.outline(polygon);
+    const auto corners = occluders_.outline(polygon);
     // Not in the middle, where other things are as well.
     IntegerVector from;
     Integer weight = 0;
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const Integer share = static_cast<unsigned long>(3 + (5 * k) % 7);
-      from = sum(from, multiple(share, blockers_.vertices().exact(corners[k])));
+      from = sum(from, multiple(share, occluders_.vertices().exact(corners[k])));
       weight += share;
     }
-    const IntegerVector& normal = blockers_.exact_normal(polygon);
+    const IntegerVector& normal = occluders_.exact_normal(polygon);
     const IntegerVector up = is_back ? opposite(normal) : normal;
     const IntegerVector side =
-        difference(blockers_.vertices().exact(corners[1]), blockers_.vertices().exact(corners[0]));
+        difference(occluders_.vertices().exact(corners[1]), occluders_.vertices().exact(corners[0]));
     for (unsigned long attempt = 1;; ++attempt) {
       // Straight up, and leaning a little, differently each time.
       const Integer much = Integer(1) << static_cast<unsigned>(bits(side) + bits(normal) + 8);
@@ -94,12 +94,12 @@ class WindingNumber {
     int count = 0;
     for (const auto& [s, turn] : shell_.polygons) {
       if (s == start) continue;
-      const auto corners = blockers_.outline(s);
+      const auto corners = occluders_.outline(s);
       const auto offset = [&](VertexId3 v) {
-        return difference(multiple(weight, blockers_.vertices().exact(v)), from);
+        return difference(multiple(weight, occluders_.vertices().exact(v)), from);
       };
-      const int height = dot_sign(blockers_.exact_normal(s), offset(corners[0]));
-      const int slope = dot_sign(blockers_.exact_normal(s), way);
+      const int height = dot_sign(occluders_.exact_normal(s), offset(corners[0]));
+      const int slope = dot_sign(occluders_.exact_normal(s), way);
       if (height == 0 || height * slope < 0) continue;
       // A ray in a plane beside that of the polygon does not meet it.
       if (slope == 0) continue;
@@ -118,21 +118,21 @@ class WindingNumber {
     return count;
   }
 
-  const Blockers3& blockers_;
+  const Occluders3& occluders_;
   const Shell& shell_;
 };
 
 // Whether more than two polygons of a shell have a line in common.
-bool touches_itself(const Blockers3& blockers, const Shell& shell) {
+bool touches_itself(const Occluders3& occluders, const Shell& shell) {
   std::vector<LinePart3> parts;
   std::vector<IntegerVector> normals;
   for (const auto& [s, turn] : shell.polygons) {
-    const auto corners = blockers.outline(s);
+    const auto corners = occluders.outline(s);
     const auto number = static_cast<std::uint32_t>(normals.size());
-    normals.push_back(blockers.exact_normal(s));
+    normals.push_back(occluders.exact_normal(s));
     for (std::size_t k = 0; k < corners.size(); ++k)
-      parts.push_back({{blockers.vertices().exact(corners[k]), 1},
-                       {blockers.vertices().exact(corners[(k + 1) % corners.size()]), 1},
+      parts.push_back({{occluders.vertices().exact(corners[k]), 1},
+                       {occluders.vertices().exact(corners[(k + 1) % corners.size()]), 1},
                        {number, true},
                        false});
   }
@@ -141,17 +141,17 @@ bool touches_itself(const Blockers3& blockers, const Shell& shell) {
 }
 
 // Whether a stretch in the plane of a surface enters the inside of it.
-bool enters(const Blockers3& blockers, std::uint32_t surface, const Stretch3& stretch) {
+bool enters(const Occluders3& occluders, std::uint32_t surface, const Stretch3& stretch) {
   std::vector<WeightedPoint3> corners;
-  for (const VertexId3 v : blockers.outline(surface)) corners.push_back({blockers.vertices().exact(v), 1});
-  return part_inside(stretch, corners, blockers.exact_normal(surface)).has_value();
+  for (const VertexId3 v : occluders.outline(surface)) corners.push_back({occluders.vertices().exact(v), 1});
+  return part_inside(stretch, corners, occluders.exact_normal(surface)).has_value();
 }
 
 }  // namespace
 
-NoSky3::NoSky3(const Blockers3& polygons, const MergedBlockers3& merged, const SurfaceStretches3& stretches) {
+NoSky3::NoSky3(const Occluders3& polygons, const MergedOccluders3& merged, const SurfaceStretches3& stretches) {
   const ClosedHull3 hull(polygons);
-  const Blockers3& surfaces = merged.blockers();
+  const Occluders3& surfaces = merged.occluders();
   for (const bool is_back : {false, true}) {
     sides_[is_back].resize(surfaces.size());
     for (std::uint32_t m = 0; m < surfaces.size(); ++m)

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/space/arrangement/blockers.h"
-#include "geometry/space/arrangement/merged_blockers.h"
+#include "geometry/space/arrangement/merged_occluders.h"
+#include "geometry/space/arrangement/occluders.h"
 #include "geometry/space/stretches/surface_stretches.h"
 
 namespace hottel {
@@ -29,7 +29,7 @@ namespace hottel {
 class NoSky3 {
  public:
   // Surfaces are those of `merged`. REQUIRES: it is made of the polygons, and the stretches are of its surfaces.
-  NoSky3(const Blockers3& polygons, const MergedBlockers3& merged, const SurfaceStretches3& stretches);
+  NoSky3(const Occluders3& polygons, const MergedOccluders3& merged, const SurfaceStretches3& stretches);
 
   bool has(std::uint32_t surface, bool is_back) const { return sides_[is_back ? 1 : 0][surface]; }
 

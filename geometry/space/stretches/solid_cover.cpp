@@ -14,7 +14,7 @@ constexpr double kDeep = 0x1p-34;
 
 }  // namespace
 
-SolidCover3::SolidCover3(const PairBodies3& bodies) : bodies_(bodies) {
+SolidCover3::SolidCover3(const PairGeometry3& bodies) : bodies_(bodies) {
   if (bodies.solids.empty()) return;
   double largest = 0;
   for (std::uint32_t point = 0; point < bodies.points.size(); ++point) {
@@ -36,9 +36,9 @@ const SolidCover3::Item& SolidCover3::item(std::uint32_t number) {
   if (number < bodies_.count()) {
     item.corners = bodies_.bodies[number].corners;
   } else {
-    const PairBodies3::Solid& solid = bodies_.solids[number - bodies_.count()];
+    const PairGeometry3::Solid& solid = bodies_.solids[number - bodies_.count()];
     for (std::size_t k = 0; k < solid.faces.size(); ++k) {
-      const PairBodies3::Body& face = bodies_.bodies[solid.faces[k]];
+      const PairGeometry3::Body& face = bodies_.bodies[solid.faces[k]];
       item.planes.push_back(plane_of(face.normal, solid.outward[k], places_[face.corners.front()]));
       item.corners.insert(item.corners.end(), face.corners.begin(), face.corners.end());
     }
@@ -135,7 +135,7 @@ bool SolidCover3::is_within_lid(std::uint32_t solid, std::uint32_t other) {
   const BodyPlane3& lid = *bodies_.solids[solid].exact->lid;
   const IntegerVector& at = bodies_.vertices().exact(lid.at);
   const bool is_within = std::ranges::all_of(item(other).corners, [&](std::uint32_t corner) {
-    const PairBodies3::Point& p = bodies_.points[corner];
+    const PairGeometry3::Point& p = bodies_.points[corner];
     return dot_sign(lid.outward, difference(p.exact(), multiple(p.weight(), at))) <= 0;
   });
   known = is_within ? 2 : 1;

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/space/between/pair_bodies.h"
+#include "geometry/space/between/pair_geometry.h"
 #include "geometry/space/hiding/outward_plane.h"
 #include "geometry/space/stretches/stretch.h"
 #include "geometry/space/visibility/direction.h"
@@ -26,7 +26,7 @@ namespace hottel {
 class SolidCover3 {
  public:
   // REQUIRES: the bodies outlive this.
-  explicit SolidCover3(const PairBodies3& bodies);
+  explicit SolidCover3(const PairGeometry3& bodies);
 
   // REQUIRES: all of the stretch is within the lids of the solids in the list. COST: some 10 ns for two of the list.
   void narrow(const Stretch3& stretch, double low, double high, std::vector<std::uint32_t>& list);
@@ -51,7 +51,7 @@ class SolidCover3 {
   bool covers(std::uint32_t solid, std::uint32_t other, const std::array<Direction3, 2>& ends);
   bool is_within_lid(std::uint32_t solid, std::uint32_t other);
 
-  const PairBodies3& bodies_;
+  const PairGeometry3& bodies_;
   std::vector<Direction3> places_;  // of points
   double deep_ = 0;
   std::vector<Item> items_;

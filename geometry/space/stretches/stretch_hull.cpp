@@ -17,7 +17,7 @@ constexpr double kNear = 1e6;
 
 }  // namespace
 
-StretchHull3::StretchHull3(const PairBodies3& bodies) : bodies_(bodies) {
+StretchHull3::StretchHull3(const PairGeometry3& bodies) : bodies_(bodies) {
   double largest = 0;
   for (std::uint32_t point = 0; point < bodies.points.size(); ++point) {
     const Direction3 p = bodies.place(point);
@@ -64,7 +64,7 @@ void StretchHull3::take_lines_from(std::uint32_t patch) {
 
 // At least how far the stretch is from a patch: over its plane, or beyond one of its sides.
 double StretchHull3::least_distance(std::uint32_t patch) const {
-  const PairBodies3::Body& body = bodies_.bodies[patch];
+  const PairGeometry3::Body& body = bodies_.bodies[patch];
   const Direction3 normal = unit({body.normal.x, body.normal.y, body.normal.z});
   const auto least = [&](const Direction3& direction, const Direction3& from) {
     return std::min(dot(direction, hull_[0].at - from), dot(direction, hull_[1].at - from));
@@ -119,7 +119,7 @@ void StretchHull3::add_plane(const Place& a, const Place& b, const Place& c) {
 }
 
 bool StretchHull3::hides_nothing(std::uint32_t body) const {
-  const PairBodies3::Body& b = bodies_.bodies[body];
+  const PairGeometry3::Body& b = bodies_.bodies[body];
   const auto is_outside = [&](const Plane& plane) {
     return std::all_of(b.corners.begin(), b.corners.end(),
                        [&](std::uint32_t corner) { return plane.value(places_[corner]) < 0; });

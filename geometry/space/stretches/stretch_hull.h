@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/space/between/pair_bodies.h"
+#include "geometry/space/between/pair_geometry.h"
 #include "geometry/space/stretches/stretch.h"
 #include "geometry/space/visibility/direction.h"
 
@@ -19,7 +19,7 @@ namespace hottel {
 class StretchHull3 {
  public:
   // REQUIRES: the bodies outlive this.
-  explicit StretchHull3(const PairBodies3& bodies);
+  explicit StretchHull3(const PairGeometry3& bodies);
 
   // Takes the part of a stretch from t = low to high, and a patch.
   void take(const Stretch3& stretch, double low, double high, std::uint32_t patch);
@@ -48,7 +48,7 @@ class StretchHull3 {
   // What a value may be off.
   double slack_of(const Place& p) const { return p.is_far ? far_slack_ : slack_; }
 
-  const PairBodies3& bodies_;
+  const PairGeometry3& bodies_;
   std::vector<Place> places_;  // of points
   double slack_ = 0, far_slack_ = 0;
   std::vector<Plane> planes_;

@@ -6,9 +6,9 @@ namespace hottel {
 namespace {
 
 // Where a function that is linear on a convex polygon is zero: from its values at the corners.
-std::optional<std::array<WeightedPoint3, 2>> zero_line(const Blockers3& blockers, std::uint32_t s,
+std::optional<std::array<WeightedPoint3, 2>> zero_line(const Occluders3& occluders, std::uint32_t s,
                                                        const std::vector<Integer>& values) {
-  const auto corners = blockers.outline(s);
+  const auto corners = occluders.outline(s);
   std::array<WeightedPoint3, 2> ends;
   std::size_t count = 0;
   const auto add = [&](WeightedPoint3 point) {
@@ -17,7 +17,7 @@ std::optional<std::array<WeightedPoint3, 2>> zero_line(const Blockers3& blockers
   };
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const std::size_t next = (k + 1) % corners.size();
-    const IntegerVector &a = blockers.vertices().exact(corners[k]), &b = blockers.vertices().exact(corners[next]);
+    const IntegerVector &a = occluders.vertices().exact(corners[k]), &b = occluders.vertices().exact(corners[next]);
     const Integer &at_a = values[k], &at_b = values[next];
     if (at_a == 0) add({a, 1});
     if (sgn(at_a) * sgn(at_b) >= 0) continue;
@@ -43,49 +43,49 @@ Signs signs_of(const std::vector<Integer>& values) {
 }
 
 // The part of an edge's line that runs through the inside of a surface whose plane contains it.
-std::optional<LinePart3> part_inside(const Blockers3& blockers, const Blockers3::Edge& edge, EdgeId3 e,
+std::optional<LinePart3> part_inside(const Occluders3& occluders, const Occluders3::Edge& edge, EdgeId3 e,
                                      std::uint32_t s) {
   SignTier tier;
-  if (blockers.side_of(edge.from, s, tier) != 0 || blockers.side_of(edge.to, s, tier) != 0) return std::nullopt;
-  const IntegerVector across = cross(blockers.exact_normal(s), blockers.exact_vector(e));
+  if (occluders.side_of(edge.from, s, tier) != 0 || occluders.side_of(edge.to, s, tier) != 0) return std::nullopt;
+  const IntegerVector across = cross(occluders.exact_normal(s), occluders.exact_vector(e));
   std::vector<Integer> values;
-  for (const VertexId3 v : blockers.outline(s))
-    values.push_back(dot(across, difference(blockers.vertices().exact(v), blockers.vertices().exact(edge.from))));
+  for (const VertexId3 v : occluders.outline(s))
+    values.push_back(dot(across, difference(occluders.vertices().exact(v), occluders.vertices().exact(edge.from))));
   const Signs signs = signs_of(values);
   if (!signs.has_positive || !signs.has_negative) return std::nullopt;
-  auto ends = zero_line(blockers, s, values);
+  auto ends = zero_line(occluders, s, values);
   if (!ends) return std::nullopt;
   return LinePart3{std::move((*ends)[0]), std::move((*ends)[1]), {s, true}, true};
 }
 
 }  // namespace
 
-SurfaceStretches3::SurfaceStretches3(const Blockers3& blockers, const SurfaceBoxes3& boxes) {
-  for (std::size_t s = 0; s < blockers.size(); ++s) normals_.push_back(blockers.exact_normal(s));
-  add_outlines(blockers, boxes);
-  for (auto& grounds : grounds_) grounds.resize(blockers.size());
-  for (std::uint32_t s = 0; s < blockers.size(); ++s) add_grounds(blockers, boxes, s);
+SurfaceStretches3::SurfaceStretches3(const Occluders3& occluders, const SurfaceBoxes3& boxes) {
+  for (std::size_t s = 0; s < occluders.size(); ++s) normals_.push_back(occluders.exact_normal(s));
+  add_outlines(occluders, boxes);
+  for (auto& grounds : grounds_) grounds.resize(occluders.size());
+  for (std::uint32_t s = 0; s < occluders.size(); ++s) add_grounds(occluders, boxes, s);
 }
 
-void SurfaceStretches3::add_outlines(const Blockers3& blockers, const SurfaceBoxes3& boxes) {
-  const Vertices3& vertices = blockers.vertices();
+void SurfaceStretches3::add_outlines(const Occluders3& occluders, const SurfaceBoxes3& boxes) {
+  const Vertices3& vertices = occluders.vertices();
   std::vector<LinePart3> parts;
-  for (std::uint32_t s = 0; s < blockers.size(); ++s) {
-    const auto corners = blockers.outline(s);
+  for (std::uint32_t s = 0; s < occluders.size(); ++s) {
+    const auto corners = occluders.outline(s);
     for (std::size_t k = 0; k < corners.size(); ++k)
       parts.push_back(
           {{vertices.exact(corners[k]), 1}, {vertices.exact(corners[(k + 1) % corners.size()]), 1}, {s, true}, false});
   }
   std::vector<std::uint32_t> near;
-  for (std::size_t e = 0; e < blockers.edge_count(); ++e) {
-    const Blockers3::Edge& edge = blockers.edge(EdgeId3(e));
+  for (std::size_t e = 0; e < occluders.edge_count(); ++e) {
+    const Occluders3::Edge& edge = occluders.edge(EdgeId3(e));
     Box3 box;
     box.include(vertices.approximate(edge.from));
     box.include(vertices.approximate(edge.to));
     near.clear();
     boxes.find(box, near);
     for (const std::uint32_t s : near)
-      if (auto part = part_inside(blockers, edge, EdgeId3(e), s)) parts.push_back(std::move(*part));
+      if (auto part = part_inside(occluders, edge, EdgeId3(e), s)) parts.push_back(std::move(*part));
   }
   outlines_ = atomic_stretches(parts, false, normals_);
   const auto place = [&vertices](const IntegerVector& numerator, const Integer& weight) {
@@ -100,12 +100,12 @@ void SurfaceStretches3::add_outlines(const Blockers3& blockers, const SurfaceBox
     const IntegerVector end{s.from.x + s.way.x, s.from.y + s.way.y, s.from.z + s.way.z};
     outline_ends_.push_back({place(s.from, s.weight), place(end, s.weight)});
   }
-  outlines_of_.resize(blockers.size());
+  outlines_of_.resize(occluders.size());
   for (std::uint32_t number = 0; number < outlines_.size(); ++number)
     for (const StretchFace3& face : outlines_[number].faces) outlines_of_[face.surface].push_back(number);
 }
 
-void SurfaceStretches3::add_grounds(const Blockers3& blockers, const SurfaceBoxes3& boxes, std::uint32_t s) {
+void SurfaceStretches3::add_grounds(const Occluders3& occluders, const SurfaceBoxes3& boxes, std::uint32_t s) {
   std::array<std::vector<LinePart3>, 2> parts;
   std::vector<std::uint32_t> near;
   boxes.find(boxes.of(s), near);
@@ -114,18 +114,18 @@ void SurfaceStretches3::add_grounds(const Blockers3& blockers, const SurfaceBoxe
     if (k == s) continue;
     Signs signs;
     std::size_t zeros = 0;
-    for (const VertexId3 v : blockers.outline(k)) {
+    for (const VertexId3 v : occluders.outline(k)) {
       SignTier tier;
-      const int sign = blockers.side_of(v, s, tier);
+      const int sign = occluders.side_of(v, s, tier);
       signs.add(sign);
       zeros += sign == 0;
     }
     if (!(signs.has_positive && signs.has_negative) && zeros != 2) continue;
     values.clear();
-    const IntegerVector& anchor = blockers.vertices().exact(blockers.outline(s).front());
-    for (const VertexId3 v : blockers.outline(k))
-      values.push_back(dot(normals_[s], difference(blockers.vertices().exact(v), anchor)));
-    const auto ends = zero_line(blockers, k, values);
+    const IntegerVector& anchor = occluders.vertices().exact(occluders.outline(s).front());
+    for (const VertexId3 v : occluders.outline(k))
+      values.push_back(dot(normals_[s], difference(occluders.vertices().exact(v), anchor)));
+    const auto ends = zero_line(occluders, k, values);
     if (!ends) continue;
     const IntegerVector way = stretch_between((*ends)[0], (*ends)[1]).way;
     const bool is_forward = sgn(dot(normals_[s], cross(normals_[k], way))) > 0;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/space/arrangement/blockers.h"
+#include "geometry/space/arrangement/occluders.h"
 #include "geometry/space/arrangement/surface_boxes.h"
 #include "geometry/space/stretches/stretch.h"
 #include "geometry/space/visibility/direction.h"
@@ -26,7 +26,7 @@ namespace hottel {
 // For several threads at once. COST: about 20 microseconds a polygon.
 class SurfaceStretches3 {
  public:
-  SurfaceStretches3(const Blockers3& blockers, const SurfaceBoxes3& boxes);
+  SurfaceStretches3(const Occluders3& occluders, const SurfaceBoxes3& boxes);
 
   const IntegerVector& normal(std::uint32_t s) const { return normals_[s]; }
   const AtomicStretch3& outline(std::uint32_t number) const { return outlines_[number]; }
@@ -38,8 +38,8 @@ class SurfaceStretches3 {
   std::span<const AtomicStretch3> grounds(std::uint32_t s, bool is_back) const { return grounds_[is_back ? 1 : 0][s]; }
 
  private:
-  void add_outlines(const Blockers3& blockers, const SurfaceBoxes3& boxes);
-  void add_grounds(const Blockers3& blockers, const SurfaceBoxes3& boxes, std::uint32_t s);
+  void add_outlines(const Occluders3& occluders, const SurfaceBoxes3& boxes);
+  void add_grounds(const Occluders3& occluders, const SurfaceBoxes3& boxes, std::uint32_t s);
 
   std::vector<IntegerVector> normals_;
   std::vector<AtomicStretch3> outlines_;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "geometry/space/between/sight.h"
+#include "geometry/space/between/pair_visibility.h"
 #include "geometry/space/proven/proof_counts.h"
 #include "kernel/determinant.h"
 #include "kernel/enclosure.h"
@@ -47,8 +47,8 @@ struct PairRequest3 {
 //   (3) bounds enclose S: proven. Of sums along edges they are wide unless the request `proves`
 //   (4) where problem is empty, error is within what is allowed; else it is more, and problem says why. A number that
 //       failed the residual of translation is not told: what is told then are bounds
-struct PairMeasure3 {
-  Sight3 sight = Sight3::kHidden;
+struct PairResult3 {
+  PairVisibility3 sight = PairVisibility3::kHidden;
   bool is_whole = false, is_undecided = false;
   double measure = 0, error = 0;
   Enclosure bounds{0, 0};

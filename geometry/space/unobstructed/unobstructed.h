@@ -1,7 +1,7 @@
 // The direct exchange area of two patches with nothing between them.
 #pragma once
 
-#include "geometry/space/arrangement/blockers.h"
+#include "geometry/space/arrangement/occluders.h"
 #include "geometry/space/arrangement/patch.h"
 #include "geometry/space/unobstructed/pair_result.h"
 #include "kernel/enclosure.h"

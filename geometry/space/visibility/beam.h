@@ -5,7 +5,7 @@
 
 #include "geometry/space/point.h"
 #include "geometry/space/visibility/direction.h"
-#include "geometry/space/visibility/exact_map.h"
+#include "geometry/space/visibility/exact_visibility_map.h"
 #include "kernel/ball.h"
 #include "kernel/enclosure.h"
 #include "kernel/rational.h"

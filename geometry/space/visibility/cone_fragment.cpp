@@ -7,7 +7,7 @@
 namespace hottel {
 
 void cone_sides(const EyePlanes3& planes, std::size_t s, std::vector<PlaneSide3>& result) {
-  const auto edges = planes.blockers().edges(s);
+  const auto edges = planes.occluders().edges(s);
   const bool is_front = planes.facing(s) > 0;
   result.clear();
   for (const DirectedEdge3& edge : edges)
@@ -18,8 +18,8 @@ void cone_sides(const EyePlanes3& planes, std::size_t s, std::vector<PlaneSide3>
 // The determinant of three corners in order is positive where the eye sees the back: then they are taken as they are,
 // else in the opposite order.
 void cone_of_polygon(const EyePlanes3& planes, std::size_t s, ConeFragment3& result) {
-  const auto corners = planes.blockers().outline(s);
-  const auto edges = planes.blockers().edges(s);
+  const auto corners = planes.occluders().outline(s);
+  const auto edges = planes.occluders().edges(s);
   const std::size_t count = corners.size();
   const bool is_front = planes.facing(s) > 0;
   result.clear();

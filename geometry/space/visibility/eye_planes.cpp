@@ -15,14 +15,14 @@ void negate(BoundedVector& a) {
 
 }  // namespace
 
-EyePlanes3::EyePlanes3(const Blockers3& blockers, Eye3 eye, bool always_exact)
-    : blockers_(blockers), eye_(std::move(eye)), always_exact_(always_exact) {
-  const std::size_t count = blockers.edge_count();
+EyePlanes3::EyePlanes3(const Occluders3& occluders, Eye3 eye, bool always_exact)
+    : occluders_(occluders), eye_(std::move(eye)), always_exact_(always_exact) {
+  const std::size_t count = occluders.edge_count();
   normals_.reserve(count);
   definitions_.reserve(count);
   exact_normals_.resize(count);
   for (std::size_t e = 0; e < count; ++e) {
-    const Blockers3::Edge& edge = blockers.edge(EdgeId3(e));
+    const Occluders3::Edge& edge = occluders.edge(EdgeId3(e));
     // Of a sun two directions that are close do not tell their plane in doubles: to integers they do.
     normals_.push_back(eye_.sun() ? nearest(exact_normal(PlaneId3(e))) : cross(eye_.toward(edge.from), edge.vector));
     definitions_.push_back({PlaneDefinition3::Kind::kEdge, static_cast<std::uint32_t>(edge.from.number()),
@@ -32,17 +32,17 @@ EyePlanes3::EyePlanes3(const Blockers3& blockers, Eye3 eye, bool always_exact)
 }
 
 void EyePlanes3::find_facing() {
-  facing_.resize(blockers_.size());
-  for (std::size_t s = 0; s < blockers_.size(); ++s) {
+  facing_.resize(occluders_.size());
+  for (std::size_t s = 0; s < occluders_.size(); ++s) {
     if (const SunFrame3* const sun = eye_.sun()) {
       counts_.count(SignTier::kExact);
-      facing_[s] = static_cast<signed char>(sun->facing(blockers_.exact_normal(s)));
+      facing_[s] = static_cast<signed char>(sun->facing(occluders_.exact_normal(s)));
       continue;
     }
-    const VertexId3 anchor = blockers_.outline(s).front();
-    int sign = filtered_sign(blockers_.normal(s), eye_.toward(anchor));
+    const VertexId3 anchor = occluders_.outline(s).front();
+    int sign = filtered_sign(occluders_.normal(s), eye_.toward(anchor));
     counts_.count(sign == kUndecided ? SignTier::kExact : SignTier::kFilter);
-    if (sign == kUndecided) sign = sgn(dot(blockers_.exact_normal(s), eye_.exact_toward(anchor)));
+    if (sign == kUndecided) sign = sgn(dot(occluders_.exact_normal(s), eye_.exact_toward(anchor)));
     facing_[s] = static_cast<signed char>(-sign);
   }
 }
@@ -61,12 +61,12 @@ PlaneSide3 EyePlanes3::add_crossing(std::size_t s, std::size_t t) {
   const PlaneDefinition3 definition{PlaneDefinition3::Kind::kCrossing, static_cast<std::uint32_t>(s),
                                     static_cast<std::uint32_t>(t)};
   if (const SunFrame3* const sun = eye_.sun())
-    return add(definition, sun->crossing(plane_of(blockers_, s), plane_of(blockers_, t)));
+    return add(definition, sun->crossing(plane_of(occluders_, s), plane_of(occluders_, t)));
   const auto height = [this](std::size_t k) -> Integer {
-    return -facing_[k] * dot(blockers_.exact_normal(k), eye_.exact_toward(blockers_.outline(k).front()));
+    return -facing_[k] * dot(occluders_.exact_normal(k), eye_.exact_toward(occluders_.outline(k).front()));
   };
   const Integer of_s = height(s) * static_cast<int>(facing_[t]), of_t = height(t) * static_cast<int>(facing_[s]);
-  const IntegerVector &a = blockers_.exact_normal(s), &b = blockers_.exact_normal(t);
+  const IntegerVector &a = occluders_.exact_normal(s), &b = occluders_.exact_normal(t);
   return add(definition, primitive({of_s * b.x - of_t * a.x, of_s * b.y - of_t * a.y, of_s * b.z - of_t * a.z}));
 }
 
@@ -145,9 +145,9 @@ const IntegerVector& EyePlanes3::exact_normal(PlaneId3 plane) {
   std::unique_ptr<IntegerVector>& kept = exact_normals_[plane.index()];
   if (!kept) {
     const EdgeId3 edge(plane.number());
-    const Blockers3::Edge& ends = blockers_.edge(edge);
+    const Occluders3::Edge& ends = occluders_.edge(edge);
     kept = std::make_unique<IntegerVector>(
-        cross(eye_.exact_toward(ends.from), eye_.sun() ? eye_.exact_toward(ends.to) : blockers_.exact_vector(edge)));
+        cross(eye_.exact_toward(ends.from), eye_.sun() ? eye_.exact_toward(ends.to) : occluders_.exact_vector(edge)));
   }
   return *kept;
 }

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/space/arrangement/blockers.h"
+#include "geometry/space/arrangement/occluders.h"
 #include "geometry/space/predicates/eye.h"
 #include "geometry/space/visibility/eye_plane.h"
 
@@ -22,8 +22,8 @@ struct ConeCorner3 {
 };
 
 // The plane of a polygon, as a sun asks for it.
-inline SunFrame3::Plane plane_of(const Blockers3& blockers, std::size_t s) {
-  return {blockers.exact_normal(s), blockers.vertices().exact(blockers.outline(s).front())};
+inline SunFrame3::Plane plane_of(const Occluders3& occluders, std::size_t s) {
+  return {occluders.exact_normal(s), occluders.vertices().exact(occluders.outline(s).front())};
 }
 
 // Signs of directions beside planes through an eye, and of polygons beside it.
@@ -35,13 +35,13 @@ inline SunFrame3::Plane plane_of(const Blockers3& blockers, std::size_t s) {
 // 0 .. edge_count() - 1; others are added.
 class EyePlanes3 {
  public:
-  // The eye is given in scene coordinates. REQUIRES that the blockers outlive this.
-  EyePlanes3(const Blockers3& blockers, const Point3& eye, bool always_exact)
-      : EyePlanes3(blockers, Eye3(blockers.vertices(), eye), always_exact) {}
-  // An eye or a sun of the vertices of the blockers.
-  EyePlanes3(const Blockers3& blockers, Eye3 eye, bool always_exact);
+  // The eye is given in scene coordinates. REQUIRES that the occluders outlive this.
+  EyePlanes3(const Occluders3& occluders, const Point3& eye, bool always_exact)
+      : EyePlanes3(occluders, Eye3(occluders.vertices(), eye), always_exact) {}
+  // An eye or a sun of the vertices of the occluders.
+  EyePlanes3(const Occluders3& occluders, Eye3 eye, bool always_exact);
 
-  const Blockers3& blockers() const { return blockers_; }
+  const Occluders3& occluders() const { return occluders_; }
   Eye3& eye() { return eye_; }
   const Eye3& eye() const { return eye_; }
 
@@ -52,7 +52,7 @@ class EyePlanes3 {
   // REQUIRES facing(s) != 0.
   int nearness(VertexId3 v, std::size_t s) {
     SignTier tier;
-    const int sign = blockers_.side_of(v, s, tier);
+    const int sign = occluders_.side_of(v, s, tier);
     counts_.count(tier);
     return sign * facing_[s];
   }
@@ -101,7 +101,7 @@ class EyePlanes3 {
   int settled_sign(const ConeCorner3& corner, PlaneId3 plane);
   IntegerVector exact_cross(PlaneSide3 first, PlaneSide3 second);
 
-  const Blockers3& blockers_;
+  const Occluders3& occluders_;
   Eye3 eye_;
   bool always_exact_;
   std::vector<signed char> facing_;

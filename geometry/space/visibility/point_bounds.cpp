@@ -83,7 +83,7 @@ Enclosure bounds_within(const Ball& ball, double most) {
 
 class Measuring {
  public:
-  Measuring(const ExactMap3& map, const Arrangement3& arrangement, const std::optional<Vector3>& normal)
+  Measuring(const ExactVisibilityMap3& map, const Arrangement3& arrangement, const std::optional<Vector3>& normal)
       : map_(map), arrangement_(arrangement) {
     if (!normal) return;
     const auto [x, y, z] = coprime_integers<3>({normal->x, normal->y, normal->z});
@@ -126,7 +126,7 @@ class Measuring {
     return bounds;
   }
 
-  const ExactMap3& map_;
+  const ExactVisibilityMap3& map_;
   const Arrangement3& arrangement_;
   std::optional<IntegerVector> normal_;
   std::map<Face, Measures> of_faces_;
@@ -135,7 +135,8 @@ class Measuring {
 
 }  // namespace
 
-PointBounds3 point_bounds(const ExactMap3& map, const Arrangement3& arrangement, const std::optional<Vector3>& normal) {
+PointBounds3 point_bounds(const ExactVisibilityMap3& map, const Arrangement3& arrangement,
+                          const std::optional<Vector3>& normal) {
   return Measuring(map, arrangement, normal)();
 }
 

@@ -6,12 +6,12 @@
 
 #include "geometry/face.h"
 #include "geometry/space/arrangement/arrangement.h"
-#include "geometry/space/visibility/exact_map.h"
+#include "geometry/space/visibility/exact_visibility_map.h"
 #include "kernel/enclosure.h"
 
 namespace hottel {
 
-// Parts of the full sphere, and view factors, as PointMap3 has them.
+// Parts of the full sphere, and view factors, as VisibilityMap3 has them.
 struct PointBounds3 {
   struct Share {
     Face face;
@@ -32,7 +32,7 @@ struct PointBounds3 {
 //
 // REQUIRES: the map is of the pieces of the arrangement, and not of a sun; a normal that is not zero.
 // COST: some twenty microseconds a corner.
-PointBounds3 point_bounds(const ExactMap3& map, const Arrangement3& arrangement,
+PointBounds3 point_bounds(const ExactVisibilityMap3& map, const Arrangement3& arrangement,
                           const std::optional<Vector3>& normal = std::nullopt);
 
 }  // namespace hottel

@@ -14,28 +14,28 @@ namespace {
 
 class SolidsTakenOut {
  public:
-  SolidsTakenOut(PointMap3 map, const Arrangement3& arrangement, const Point3& eye,
+  SolidsTakenOut(VisibilityMap3 map, const Arrangement3& arrangement, const Point3& eye,
                  const std::vector<std::uint32_t>& meshes)
       : map_(std::move(map)), arrangement_(arrangement), eye_(eye), meshes_(meshes) {
     for (const std::uint32_t mesh : meshes) map_.solids.push_back({mesh, 0});
   }
 
-  PointMap3 result() {
-    std::vector<PointMap3::Fragment> fragments = std::move(map_.fragments);
+  VisibilityMap3 result() {
+    std::vector<VisibilityMap3::Fragment> fragments = std::move(map_.fragments);
     map_.fragments.clear();
     map_.shares.clear();
-    for (const PointMap3::Fragment& fragment : fragments) {
+    for (const VisibilityMap3::Fragment& fragment : fragments) {
       const Piece3::Side& side = arrangement_.pieces()[fragment.face.surface].side(fragment.face.is_back);
       if (side.cover == Piece3::Cover::kFree)
         map_.fragments.push_back(fragment);
       else
         divide(fragment, side);
     }
-    for (const PointMap3::Fragment& fragment : map_.fragments) {
+    for (const VisibilityMap3::Fragment& fragment : map_.fragments) {
       if (map_.shares.empty() || map_.shares.back().face != fragment.face) map_.shares.push_back({fragment.face, 0, 0});
       map_.shares.back().fraction += fragment.fraction;
     }
-    std::erase_if(map_.solids, [](const PointMap3::InSolid& solid) { return solid.fraction == 0; });
+    std::erase_if(map_.solids, [](const VisibilityMap3::InSolid& solid) { return solid.fraction == 0; });
     return with_owners(std::move(map_), arrangement_);
   }
 
@@ -43,7 +43,7 @@ class SolidsTakenOut {
   static Direction3 rounded(const Vector3& v) { return {to_double(v.x), to_double(v.y), to_double(v.z)}; }
 
   // A fragment on a side that looks into solids, where it is not free.
-  void divide(const PointMap3::Fragment& fragment, const Piece3::Side& side) {
+  void divide(const VisibilityMap3::Fragment& fragment, const Piece3::Side& side) {
     std::vector<Direction3> cone;
     for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) cone.push_back(map_.corners[c].direction);
     double in_solids = fragment.fraction;
@@ -61,13 +61,13 @@ class SolidsTakenOut {
     if (!(in_solids > kNothing)) return;
     if (side.cover == Piece3::Cover::kPartly) within = way_into_solid(fragment, side);
     const std::uint32_t mesh = mesh_along(within, fragment);
-    for (PointMap3::InSolid& solid : map_.solids)
+    for (VisibilityMap3::InSolid& solid : map_.solids)
       if (solid.mesh == mesh) solid.fraction += in_solids;
     map_.solid_fragments.push_back(fragment);
   }
 
-  void add(const PointMap3::Fragment& of, const std::vector<Direction3>& cone, double fraction) {
-    PointMap3::Fragment part = of;
+  void add(const VisibilityMap3::Fragment& of, const std::vector<Direction3>& cone, double fraction) {
+    VisibilityMap3::Fragment part = of;
     part.fraction = fraction;
     part.begin = static_cast<std::uint32_t>(map_.corners.size());
     const Polygon3& polygon = arrangement_.pieces()[of.face.surface].polygon;
@@ -75,7 +75,7 @@ class SolidsTakenOut {
     const double height = dot(normal, rounded(polygon.points.front() - eye_));
     const Direction3 eye{to_double(eye_.x), to_double(eye_.y), to_double(eye_.z)};
     for (const Direction3& direction : cone) {
-      PointMap3::Corner corner = map_.corners[of.begin];
+      VisibilityMap3::Corner corner = map_.corners[of.begin];
       corner.direction = direction;
       const Direction3 met = eye + height / dot(normal, direction) * direction;
       corner.x = met.x;
@@ -88,7 +88,7 @@ class SolidsTakenOut {
   }
 
   // A corner of the fragment that no free part holds, else its middle.
-  Direction3 way_into_solid(const PointMap3::Fragment& fragment, const Piece3::Side& side) const {
+  Direction3 way_into_solid(const VisibilityMap3::Fragment& fragment, const Piece3::Side& side) const {
     Direction3 middle{};
     for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) middle = middle + map_.corners[c].direction;
     for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) {
@@ -108,7 +108,7 @@ class SolidsTakenOut {
   }
 
   // The solid that a way leads into: of several the one around the middle of the way to what is met.
-  std::uint32_t mesh_along(const Direction3& way, const PointMap3::Fragment& fragment) const {
+  std::uint32_t mesh_along(const Direction3& way, const VisibilityMap3::Fragment& fragment) const {
     if (meshes_.size() == 1) return meshes_.front();
     const Polygon3& polygon = arrangement_.pieces()[fragment.face.surface].polygon;
     const Direction3 normal = unit(rounded(doubled_area(polygon)));
@@ -123,7 +123,7 @@ class SolidsTakenOut {
   // What rounding makes of nothing.
   static constexpr double kNothing = 1e-15;
 
-  PointMap3 map_;
+  VisibilityMap3 map_;
   const Arrangement3& arrangement_;
   const Point3& eye_;
   const std::vector<std::uint32_t>& meshes_;
@@ -131,15 +131,15 @@ class SolidsTakenOut {
 
 }  // namespace
 
-PointMap3 with_owners(PointMap3 map, const Arrangement3& arrangement) {
+VisibilityMap3 with_owners(VisibilityMap3 map, const Arrangement3& arrangement) {
   const auto rename = [&arrangement](Face& face) { face = arrangement.owner(face.surface, face.is_back); };
-  for (PointMap3::Fragment& fragment : map.fragments) rename(fragment.face);
-  for (PointMap3::Share& share : map.shares) rename(share.face);
+  for (VisibilityMap3::Fragment& fragment : map.fragments) rename(fragment.face);
+  for (VisibilityMap3::Share& share : map.shares) rename(share.face);
   std::stable_sort(map.fragments.begin(), map.fragments.end(),
                    [](const auto& a, const auto& b) { return a.face < b.face; });
   std::stable_sort(map.shares.begin(), map.shares.end(), [](const auto& a, const auto& b) { return a.face < b.face; });
-  std::vector<PointMap3::Share> shares;
-  for (const PointMap3::Share& share : map.shares) {
+  std::vector<VisibilityMap3::Share> shares;
+  for (const VisibilityMap3::Share& share : map.shares) {
     if (shares.empty() || shares.back().face != share.face) {
       shares.push_back(share);
       continue;
@@ -168,16 +168,16 @@ std::vector<std::uint32_t> solids_at(const Solids3& solids, const Point3& point)
   return result;
 }
 
-PointMap3 outside_solids(PointMap3 map, const Arrangement3& arrangement, const Point3& eye,
-                         const std::vector<std::uint32_t>& meshes) {
+VisibilityMap3 outside_solids(VisibilityMap3 map, const Arrangement3& arrangement, const Point3& eye,
+                              const std::vector<std::uint32_t>& meshes) {
   return SolidsTakenOut(std::move(map), arrangement, eye, meshes).result();
 }
 
-PointMap3 faces_seen_from(const Point3& eye, const Blockers3& blockers, const Arrangement3& arrangement) {
-  return faces_seen_from(eye, map_from(blockers, {.eye = eye, .normal = {}}), arrangement);
+VisibilityMap3 faces_seen_from(const Point3& eye, const Occluders3& occluders, const Arrangement3& arrangement) {
+  return faces_seen_from(eye, map_from(occluders, {.eye = eye, .normal = {}}), arrangement);
 }
 
-PointMap3 faces_seen_from(const Point3& eye, PointMap3 map, const Arrangement3& arrangement) {
+VisibilityMap3 faces_seen_from(const Point3& eye, VisibilityMap3 map, const Arrangement3& arrangement) {
   const std::vector<std::uint32_t> on_border = solids_at(arrangement.solids(), eye);
   return on_border.empty() ? with_owners(std::move(map), arrangement)
                            : outside_solids(std::move(map), arrangement, eye, on_border);

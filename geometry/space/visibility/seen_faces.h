@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "geometry/space/arrangement/arrangement.h"
-#include "geometry/space/visibility/point_map.h"
+#include "geometry/space/visibility/visibility_map.h"
 
 namespace hottel {
 
 // Returns a map that was made of the pieces of an arrangement, its faces those of the scene: the owners of the sides
 // of pieces. Fragments are by these faces, and a face has one share.
-PointMap3 with_owners(PointMap3 map, const Arrangement3& arrangement);
+VisibilityMap3 with_owners(VisibilityMap3 map, const Arrangement3& arrangement);
 
 // The solid meshes on whose faces a point is, edges and corners included.
 std::vector<std::uint32_t> solids_at(const Solids3& solids, const Point3& point);
@@ -21,13 +21,13 @@ std::vector<std::uint32_t> solids_at(const Solids3& solids, const Point3& point)
 //
 //   (1) the fractions of shares, solids and sky sum to 1
 // REQUIRES that the look has no normal, and meshes = solids_at(eye), not empty.
-PointMap3 outside_solids(PointMap3 map, const Arrangement3& arrangement, const Point3& eye,
-                         const std::vector<std::uint32_t>& meshes);
+VisibilityMap3 outside_solids(VisibilityMap3 map, const Arrangement3& arrangement, const Point3& eye,
+                              const std::vector<std::uint32_t>& meshes);
 
 // Returns what is seen of the scene from a point, in all directions: with_owners, or outside_solids where the point is
-// on the border of solids. blockers: the pieces of the arrangement. REQUIRES a point that no solid is around.
-PointMap3 faces_seen_from(const Point3& eye, const Blockers3& blockers, const Arrangement3& arrangement);
+// on the border of solids. occluders: the pieces of the arrangement. REQUIRES a point that no solid is around.
+VisibilityMap3 faces_seen_from(const Point3& eye, const Occluders3& occluders, const Arrangement3& arrangement);
 // The same of a map of the point in all directions, as map_from() has it.
-PointMap3 faces_seen_from(const Point3& eye, PointMap3 map, const Arrangement3& arrangement);
+VisibilityMap3 faces_seen_from(const Point3& eye, VisibilityMap3 map, const Arrangement3& arrangement);
 
 }  // namespace hottel

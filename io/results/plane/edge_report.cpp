@@ -53,7 +53,7 @@ std::string met_name(const PreparedScene2& prepared, PieceSideId side) {
   return face_name(prepared.scene, prepared.arrangement, side);
 }
 
-VisibilityAnswer edge_answer(const PreparedScene2& prepared, const std::string& name, const EdgeSight2& sight) {
+VisibilityAnswer edge_answer(const PreparedScene2& prepared, const std::string& name, const WeakVisibility2& sight) {
   Json json;
   json["edge"] = name;
   json["sees_sky"] = sight.sees_sky;

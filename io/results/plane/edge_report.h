@@ -7,14 +7,14 @@
 #include <string_view>
 
 #include "geometry/plane/visibility/critical_lines.h"
-#include "geometry/plane/visibility/edge_sight.h"
+#include "geometry/plane/visibility/weak_visibility.h"
 #include "io/results/plane/visibility_report.h"
 
 namespace hottel {
 
 // The stretches of each face that are seen, each end as a place on its edge (0 to 1) and as a point, exactly and as
 // doubles; whether the sky is seen. name: what the face was called.
-VisibilityAnswer edge_answer(const PreparedScene2& prepared, const std::string& name, const EdgeSight2& sight);
+VisibilityAnswer edge_answer(const PreparedScene2& prepared, const std::string& name, const WeakVisibility2& sight);
 
 // What is met beyond a vertex of a line: the name of a face, "sky", or "#solid".
 std::string met_name(const PreparedScene2& prepared, PieceSideId side);

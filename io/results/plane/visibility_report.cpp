@@ -125,7 +125,7 @@ void add_polygon(const PreparedScene2& prepared, const VisibilityPolygon2& polyg
 
 // The fractions of the full turn: of what is seen, and of directions that lead into solids, where the point is on the
 // border of some.
-void add_fractions(const PointSight2& sight, Draft& answer) {
+void add_fractions(const PointView2& sight, Draft& answer) {
   const auto add = [&](const char* list, const char* key, const SeenFrom2& seen, const std::string& text) {
     Json entry{{key, seen.name}};
     entry["angle_fraction"] = json_of(seen.fraction);
@@ -154,7 +154,7 @@ void add_light(const PointLight2& light, Draft& answer) {
 
 }  // namespace
 
-VisibilityAnswer point_answer(const PreparedScene2& prepared, const PointSight2& sight,
+VisibilityAnswer point_answer(const PreparedScene2& prepared, const PointView2& sight,
                               const std::optional<PointLight2>& light) {
   if (sight.polygon.solid != Solids2::kNone) return from_solid(prepared, sight.polygon);
   Draft answer;

@@ -7,16 +7,16 @@
 
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/visibility/critical_points.h"
-#include "geometry/plane/visibility/point_sight.h"
+#include "geometry/plane/visibility/point_view.h"
 #include "io/results/visibility_answer.h"
-#include "solver/plane/simulation/questions.h"
+#include "solver/plane/simulation/queries.h"
 
 namespace hottel {
 
 // What a point sees: the visibility polygon, the angles, and the mean irradiance. In a solid: which, and nothing else;
 // on the border of solids the directions into them are told apart, as fractions of the full turn.
 // light: nothing from within a solid.
-VisibilityAnswer point_answer(const PreparedScene2& prepared, const PointSight2& sight,
+VisibilityAnswer point_answer(const PreparedScene2& prepared, const PointView2& sight,
                               const std::optional<PointLight2>& light);
 
 // The view factors from the point t of a face, each as a double and in closed form. name: what the face was called.

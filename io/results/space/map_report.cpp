@@ -28,10 +28,10 @@ double not_negative(double rest) { return std::max(0.0, rest); }
 
 double solid_angle(double fraction) { return 4 * std::numbers::pi * fraction; }
 
-Json json_of(const PointMap3& map, const PointMap3::Fragment& fragment) {
+Json json_of(const VisibilityMap3& map, const VisibilityMap3::Fragment& fragment) {
   Json directions = Json::array(), points = Json::array();
   for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) {
-    const PointMap3::Corner& corner = map.corners[c];
+    const VisibilityMap3::Corner& corner = map.corners[c];
     directions.push_back({corner.direction.x, corner.direction.y, corner.direction.z});
     points.push_back({corner.x, corner.y, corner.z});
   }
@@ -55,10 +55,10 @@ struct Line {
   Told factor, fraction;
 };
 
-std::vector<Line> lines_of(const Scene3& scene, const PointMap3& map, const PointBounds3* bounds) {
+std::vector<Line> lines_of(const Scene3& scene, const VisibilityMap3& map, const PointBounds3* bounds) {
   std::vector<Line> lines;
   for (std::size_t k = 0; k < map.shares.size(); ++k) {
-    const PointMap3::Share& share = map.shares[k];
+    const VisibilityMap3::Share& share = map.shares[k];
     const PointBounds3::Share* const proven = bounds == nullptr ? nullptr : &bounds->shares[k];
     lines.push_back({face_name(scene, share.face), told(share.factor, proven ? &proven->factor : nullptr),
                      told(share.fraction, proven ? &proven->fraction : nullptr)});
@@ -78,7 +78,7 @@ void add_numbers(const Line& line, bool has_factors, Json& json) {
 }
 
 // The shares, fragment by fragment of each: both lists are by face.
-Json faces_of(const PointMap3& map, std::span<const Line> lines, bool has_factors) {
+Json faces_of(const VisibilityMap3& map, std::span<const Line> lines, bool has_factors) {
   Json faces = Json::array();
   auto fragment = map.fragments.begin();
   for (std::size_t k = 0; k < map.shares.size(); ++k) {
@@ -108,8 +108,8 @@ std::string titles_of(const char* title, bool has_bounds) {
 }
 
 // With bounds of the factors, or where there are none of the fractions.
-std::string text_of(const Solids3& solids, const PointMap3& map, std::span<const Line> lines, const std::string& what,
-                    bool has_factors) {
+std::string text_of(const Solids3& solids, const VisibilityMap3& map, std::span<const Line> lines,
+                    const std::string& what, bool has_factors) {
   const bool has_bounds = lines.back().fraction.bounds.has_value();
   std::string text = "from " + what + "\n\n  ";
   if (has_factors) text += titles_of("view factor", has_bounds);
@@ -120,14 +120,14 @@ std::string text_of(const Solids3& solids, const PointMap3& map, std::span<const
     text += fmt::format("{:<24} {}\n", shortest(solid_angle(line.fraction.value)), line.name);
   };
   for (const Line& line : lines) add(line);
-  for (const PointMap3::InSolid& solid : map.solids)
+  for (const VisibilityMap3::InSolid& solid : map.solids)
     add({"(in the solid " + quoted_name(solid_name(solids, solid.mesh)) + ")", {}, {solid.fraction, std::nullopt}});
   return text + "\n" + counted(map.fragments.size(), "piece") + " of " + counted(map.shares.size(), "face") + "\n";
 }
 
 }  // namespace
 
-VisibilityAnswer map_answer(const Scene3& scene, const Solids3& solids, const Look3& look, const PointMap3& map,
+VisibilityAnswer map_answer(const Scene3& scene, const Solids3& solids, const Look3& look, const VisibilityMap3& map,
                             const std::string& what, const PointBounds3* bounds) {
   const bool has_factors = look.normal.has_value();
   const std::vector<Line> lines = lines_of(scene, map, bounds);
@@ -135,7 +135,7 @@ VisibilityAnswer map_answer(const Scene3& scene, const Solids3& solids, const Lo
   if (has_factors) json["normal"] = exact_point(*look.normal);
   json["faces"] = faces_of(map, lines, has_factors);
   add_numbers(lines.back(), has_factors, json["sky"]);
-  for (const PointMap3::InSolid& solid : map.solids)
+  for (const VisibilityMap3::InSolid& solid : map.solids)
     json["solids"].push_back({{"solid", solid_name(solids, solid.mesh)},
                               {"fraction", solid.fraction},
                               {"solid_angle", solid_angle(solid.fraction)}});

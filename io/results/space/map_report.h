@@ -4,7 +4,7 @@
 #include <string>
 
 #include "geometry/space/visibility/point_bounds.h"
-#include "geometry/space/visibility/point_map.h"
+#include "geometry/space/visibility/visibility_map.h"
 #include "io/results/visibility_answer.h"
 
 namespace hottel {
@@ -21,7 +21,7 @@ class Solids3;
 //   (3) of a point on the border of solids, what leads into these is told by their names
 //   (4) with bounds, which are of the same shares, those of factors and fractions stand beside them, and numbers are
 //       within: a sky of which rounding left something is 0 where it may be
-VisibilityAnswer map_answer(const Scene3& scene, const Solids3& solids, const Look3& look, const PointMap3& map,
+VisibilityAnswer map_answer(const Scene3& scene, const Solids3& solids, const Look3& look, const VisibilityMap3& map,
                             const std::string& what, const PointBounds3* bounds = nullptr);
 
 // The same of a point in a solid: the name of its group; no face is seen, nor the sky, and irradiance is null.

@@ -14,13 +14,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* to_string(Sight3 sight) {
+const char* to_string(PairVisibility3 sight) {
   switch (sight) {
-    case Sight3::kHidden:
+    case PairVisibility3::kHidden:
       return "hidden";
-    case Sight3::kClear:
+    case PairVisibility3::kClear:
       return "clear";
-    case Sight3::kMixed:
+    case PairVisibility3::kMixed:
       return "mixed";
   }
   return "";
@@ -51,11 +51,11 @@ std::string reason(const Scene3& scene, const PairReport3& report) {
   }
   if (!report.is_facing()) return "no part of one is in front of the other";
   switch (report.sight) {
-    case Sight3::kHidden:
+    case PairVisibility3::kHidden:
       return "nothing of the sky is seen";
-    case Sight3::kClear:
+    case PairVisibility3::kClear:
       return "nothing can stand between them";
-    case Sight3::kMixed:
+    case PairVisibility3::kMixed:
       break;
   }
   const std::string between = polygons(report.between.size()) + " may stand between";

@@ -206,7 +206,7 @@ void write_radiosity_vtu(const PreparedScene3& prepared, Granularity granularity
                          const RadiositySolution& solution, const Sink& sink) {
   const ElementTable3& table = *prepared.elements(granularity);
   const Cells cells = cells_of(table);
-  write_shape(prepared.blockers().vertices(), cells, sink);
+  write_shape(prepared.occluders().vertices(), cells, sink);
   sink("      <CellData Scalars=\"radiosity\">\n");
   const CellData data(cells, prepared.scene, matrix, solution, sink);
   data.write_channels();

@@ -105,7 +105,7 @@ class LightTeller {
           "solve with cholesky or cg, as auto does; they do not mind");
   }
 
-  // What sees nothing that could send light is told as that (sight_findings).
+  // What sees nothing that could send light is told as that (visibility_findings).
   bool sees_material(std::uint32_t face) const {
     const auto row = matrix_.row(face);
     return std::any_of(row.begin(), row.end(), [this](const FactorEntry& entry) {

@@ -12,8 +12,8 @@
 #include "geometry/plane/check/near_misses.h"
 #include "geometry/plane/check/needles.h"
 #include "geometry/plane/check/region_findings.h"
-#include "geometry/plane/check/sight_findings.h"
 #include "geometry/plane/check/solid_findings.h"
+#include "geometry/plane/check/visibility_findings.h"
 #include "geometry/plane/check/wording.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "geometry/plane/visibility/solid_around.h"
@@ -89,7 +89,7 @@ void check_light(const PreparedScene2& prepared, const FaceCover2& cover, const 
   BlackBacks2 black = black_backs(prepared, regions, *check.factors, rooms.is_inside_out);
   append(check.findings, std::move(black.findings));
   check.black_backs = std::move(black.surfaces);
-  append(check.findings, sight_findings(prepared, *check.factors));
+  append(check.findings, visibility_findings(prepared, *check.factors));
   append(check.findings,
          light_findings(scene, *check.factors, sources.lights ? sources.lights() : std::vector<LightShares>(),
                         sources.progress));

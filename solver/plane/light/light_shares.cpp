@@ -8,7 +8,7 @@
 #include "geometry/plane/visibility/sun_view.h"
 #include "geometry/unit_of_length.h"
 #include "kernel/ball.h"
-#include "kernel/support/naming_file.h"
+#include "kernel/support/with_file_context.h"
 #include "solver/plane/light/beam.h"
 
 namespace hottel {
@@ -79,7 +79,7 @@ std::vector<LightShares> light_shares(const PreparedScene2& prepared, Granularit
   const ElementTable2& table = *prepared.elements(granularity);
   const PointLocation2 location(prepared.arrangement.vertices(), prepared.arrangement.triangulation());
   for (std::size_t k = 0; k < scene.lights.size(); ++k)
-    result.push_back(naming_file(scene.file, [&] {
+    result.push_back(with_file_context(scene.file, [&] {
       return scene.lights[k].is_sun() ? shares_of_sun(prepared, table, scene.light_places[k])
                                       : shares_of(prepared, table, location, scene.lights[k], scene.light_places[k]);
     }));

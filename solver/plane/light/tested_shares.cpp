@@ -9,7 +9,7 @@
 #include "geometry/plane/visibility/point_location.h"
 #include "geometry/unit_of_length.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/naming_file.h"
+#include "kernel/support/with_file_context.h"
 #include "solver/plane/light/beam.h"
 #include "solver/plane/light/light_shares.h"
 #include "solver/plane/light/lit_region.h"
@@ -103,7 +103,7 @@ std::vector<LightShares> light_shares(const PreparedScene2& prepared, Granularit
   const PointLocation2 location(prepared.arrangement.vertices(), prepared.arrangement.triangulation());
   for (std::size_t k = 0; k < result.size(); ++k) {
     result[k].test = test;
-    naming_file(scene.file, [&] {
+    with_file_context(scene.file, [&] {
       const Light& light = scene.lights[k];
       const LightPlace2& place = scene.light_places[k];
       if (light.is_sun())

@@ -15,8 +15,8 @@
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
-#include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
+#include "kernel/support/with_file_context.h"
 #include "solver/dividing/dividing_estimate.h"
 #include "solver/methods/negative_factors.h"
 #include "solver/plane/dividing/estimate.h"
@@ -28,7 +28,7 @@
 #include "solver/plane/methods/method_catalogue.h"
 #include "solver/plane/scene_memory.h"
 #include "solver/plane/scene_plan.h"
-#include "solver/plane/simulation/kept_factors.h"
+#include "solver/plane/simulation/cached_factors.h"
 #include "solver/radiosity/radiosity_sources.h"
 #include "solver/radiosity/scene_radiosities.h"
 
@@ -282,14 +282,14 @@ ComputedFactors2 make_factors(const FactorsInput& input, const StageProgress& pr
                               .rows = input.rows,
                               .memory = memory_allowed(input.memory),
                               .progress = telling("view factors", progress)};
-  return input.store ? kept_factors_2(*input.store, *input.method, *prepared, asked)
+  return input.store ? cached_factors_2(*input.store, *input.method, *prepared, asked)
                      : factors_by(*input.method, *prepared, asked);
 }
 
 RadiositySolver make_system(const SystemInput& input, const StageProgress& progress) {
   const auto factors = input.factors->get(progress);
   const std::shared_ptr<const ExchangeMatrix> matrix(factors, &factors->matrix);
-  return naming_file(input.file, [&] {
+  return with_file_context(input.file, [&] {
     return RadiositySolver(matrix, input.reflectivities.values,
                            {.solver = input.solver, .iterations = input.iterations, .until = input.until});
   });
@@ -318,7 +318,7 @@ DividingEstimate make_dividing(const DividingInput& input, const StageProgress& 
   const auto factors = input.factors->get(progress);
   const auto whole = input.whole->get(progress);
   const auto shares = input.shares ? input.shares->get(progress) : nullptr;
-  return naming_file(whole->scene.file, [&] {
+  return with_file_context(whole->scene.file, [&] {
     return estimate_dividing(
         {.whole = *whole,
          .solved = {whole->scene, factors->matrix, *radiosities,
@@ -332,7 +332,7 @@ DividingEstimate make_dividing(const DividingInput& input, const StageProgress& 
 
 LightRows2 make_rows(const RowsInput& input, const StageProgress& progress) {
   const auto prepared = input.arrangement->get(progress);
-  return naming_file(prepared->scene.file, [&] {
+  return with_file_context(prepared->scene.file, [&] {
     return LightRows2(*prepared, input.grid, *prepared->elements(input.granularity), Blacks2::kLeftOut,
                       memory_allowed(input.memory), telling("illumination", progress));
   });
@@ -349,7 +349,7 @@ SolvedLight2 make_light(const LightInput& input, const StageProgress& progress) 
   const auto prepared = input.prepared->get(progress);
   const auto rows = input.rows ? input.rows->get(progress) : nullptr;
   Stopwatch watch;
-  SolvedLight2 light = naming_file(prepared->scene.file, [&]() -> SolvedLight2 {
+  SolvedLight2 light = with_file_context(prepared->scene.file, [&]() -> SolvedLight2 {
     if (rows) return {light_of_rows(*rows, input, *prepared, *radiosities)};
     return illuminate(input.kind, *prepared, input.grid, input.granularity, *radiosities,
                       telling("illumination", progress));

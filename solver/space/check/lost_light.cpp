@@ -2,7 +2,7 @@
 
 #include "geometry/space/check/mesh_findings.h"
 #include "geometry/space/check/shells.h"
-#include "geometry/space/check/sight_findings.h"
+#include "geometry/space/check/visibility_findings.h"
 
 namespace hottel {
 namespace {
@@ -18,7 +18,7 @@ bool is_any_lost(const ExchangeMatrix& matrix) {
 
 Findings3 lost_light_warnings(const Scene3& scene, const ExchangeMatrix& matrix) {
   Findings3 findings;
-  if (is_any_lost(matrix)) findings = sight_findings(scene, find_meshes(scene), matrix, false);
+  if (is_any_lost(matrix)) findings = visibility_findings(scene, find_meshes(scene), matrix, false);
   std::erase_if(findings, [](const Finding3& finding) { return finding.kind != "black-back"; });
   tell_inside_out(scene, inside_out_shells(scene), findings);
   return findings;

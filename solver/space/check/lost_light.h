@@ -7,9 +7,9 @@
 
 namespace hottel {
 
-// The findings of kind black-back (sight_findings), warnings of backs without a material that faces with one see, and
-// of kind inside-out (tell_inside_out). REQUIRES the exact matrix of the scene, by faces or elements. COST: a pass over
-// the matrix, and that of inside_out_shells; where light is lost, that of find_meshes.
+// The findings of kind black-back (visibility_findings), warnings of backs without a material that faces with one see,
+// and of kind inside-out (tell_inside_out). REQUIRES the exact matrix of the scene, by faces or elements. COST: a pass
+// over the matrix, and that of inside_out_shells; where light is lost, that of find_meshes.
 Findings3 lost_light_warnings(const Scene3& scene, const ExchangeMatrix& matrix);
 
 }  // namespace hottel

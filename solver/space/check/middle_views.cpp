@@ -8,7 +8,7 @@
 
 #include "geometry/scene_names.h"
 #include "geometry/space/check/wording.h"
-#include "geometry/space/visibility/point_map.h"
+#include "geometry/space/visibility/visibility_map.h"
 
 namespace hottel {
 namespace {
@@ -50,9 +50,9 @@ std::vector<FactorEntry> entries_of(const PreparedScene3& prepared, const Face& 
   Look3 look;
   look.eye = place.at;
   look.normal = Point3{sign * normal.x, sign * normal.y, sign * normal.z};
-  const PointMap3 map = map_from(prepared.blockers(), look);
+  const VisibilityMap3 map = map_from(prepared.occluders(), look);
   std::vector<double> seen(2 * prepared.scene.surfaces.size(), 0);
-  for (const PointMap3::Share& share : map.shares) {
+  for (const VisibilityMap3::Share& share : map.shares) {
     const Face& owner = prepared.arrangement().owner(share.face.surface, share.face.is_back);
     seen[owner.number()] += share.factor;
   }

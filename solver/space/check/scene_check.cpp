@@ -11,8 +11,8 @@
 #include "geometry/space/check/contact_findings.h"
 #include "geometry/space/check/mesh_findings.h"
 #include "geometry/space/check/shells.h"
-#include "geometry/space/check/sight_findings.h"
 #include "geometry/space/check/solid_findings.h"
+#include "geometry/space/check/visibility_findings.h"
 #include "geometry/space/check/wording.h"
 #include "geometry/space/contacts/near_contacts.h"
 #include "geometry/space/prepared/prepared_scene.h"
@@ -147,7 +147,7 @@ void check_light(const PreparedScene3& prepared, Meshes3 meshes, const CheckSour
     return;
   }
   if (prepared.scene.closed || is_whole) meshes.leak = widest_gap(meshes, prepared, *matrix);
-  append(check.findings, sight_findings(prepared.scene, meshes, *matrix, is_whole));
+  append(check.findings, visibility_findings(prepared.scene, meshes, *matrix, is_whole));
   const std::vector<LightShares> lights = sources.lights ? sources.lights() : std::vector<LightShares>();
   tell_lights_in_solids(prepared.scene, lights, check.findings);
   if (is_whole) tell_dark_suns(prepared.scene, *matrix, lights, check.findings);

@@ -10,7 +10,7 @@
 
 #include "geometry/name.h"
 #include "geometry/space/check/wording.h"
-#include "geometry/space/visibility/point_map.h"
+#include "geometry/space/visibility/visibility_map.h"
 
 namespace hottel {
 namespace {
@@ -68,7 +68,7 @@ class GapFinder {
  private:
   std::string name(std::uint32_t s) const { return quoted_name(scene_.surfaces[s].name); }
   double sky_from(const Point3& eye, const std::optional<Point3>& normal) const {
-    const PointMap3 map = map_from(prepared_.blockers(), {eye, normal});
+    const VisibilityMap3 map = map_from(prepared_.occluders(), {eye, normal});
     return normal ? map.sky_factor : map.sky_fraction;
   }
 

@@ -26,7 +26,7 @@ bool touch(const ElementPatch3& a, const ElementPatch3& b) {
 
 PairExplainer3::PairExplainer3(const PreparedScene3& prepared, const ExchangeMatrix& exact)
     : prepared_(prepared), exact_(exact), geometry_(prepared) {
-  const Vertices3& vertices = prepared.blockers().vertices();
+  const Vertices3& vertices = prepared.occluders().vertices();
   unit_ = to_double(scaled_by_power_of_two(vertices.scale(), vertices.shift()));
 }
 
@@ -36,7 +36,7 @@ std::optional<double> PairExplainer3::visibility(std::uint32_t from, std::uint32
   if (to == exact_.sky()) return 0;
   for (const ElementTable3::Part& a : geometry_.table().parts(from))
     for (const ElementTable3::Part& b : geometry_.table().parts(to))
-      if (face_each_other(prepared_.blockers(), a, b)) return 0;
+      if (face_each_other(prepared_.occluders(), a, b)) return 0;
   return std::nullopt;
 }
 

@@ -37,13 +37,13 @@ class JudgedScene3 final : public JudgedScene {
   }
 
   double unobstructed_factor(std::uint32_t from, std::uint32_t to) const override {
-    const Blockers3& blockers = prepared_.blockers();
+    const Occluders3& occluders = prepared_.occluders();
     const ElementTable3& table = geometry_.table();
     double measure = 0;
     for (const ElementTable3::Part& a : table.parts(from))
       for (const ElementTable3::Part& b : table.free_parts(to))
-        if (face_each_other(blockers, a, b))
-          measure += unobstructed_measure(blockers.vertices(), a.patch, b.patch, kTolerance).measure;
+        if (face_each_other(occluders, a, b))
+          measure += unobstructed_measure(occluders.vertices(), a.patch, b.patch, kTolerance).measure;
     return measure / table.extent(from).value;
   }
 
@@ -134,7 +134,7 @@ class JudgedScene3 final : public JudgedScene {
   ElementGeometry3 geometry_{prepared_};
   // By patch.
   std::vector<std::vector<RulePoint3>> two_points_ = points_of_patches(2), four_points_ = points_of_patches(4);
-  double nearest_vertices_ = kNearestVertices * SegmentVisibility3(prepared_.blockers()).diagonal() / 2;
+  double nearest_vertices_ = kNearestVertices * SegmentVisibility3(prepared_.occluders()).diagonal() / 2;
 };
 
 }  // namespace

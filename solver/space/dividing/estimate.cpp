@@ -95,7 +95,7 @@ class Parts {
           parts[k].irradiance.assign(channels, 0.0);
           parts[k].share = table_.extent(labels[k]).value;
           if (!table_.free_parts(labels[k]).empty()) {
-            const PlaceOnPart place = place_on(table_, labels[k], request_.prepared.blockers().vertices());
+            const PlaceOnPart place = place_on(table_, labels[k], request_.prepared.occluders().vertices());
             sent_out.irradiance(place.eye, place.normal, parts[k].irradiance);
           }
           count.add(1);

@@ -30,14 +30,14 @@ double inverse_square(const ScaledWay& way) { return std::ldexp(1 / dot(way.way,
 
 DirectLight3::DirectLight3(const PreparedScene3& prepared, const Point3& position, const Beam3& beam)
     : prepared_(prepared),
-      map_(prepared.blockers(), position),
+      map_(prepared.occluders(), position),
       finder_(map_),
       beam_(beam),
       is_in_solid_(prepared.arrangement().solids().around(position).has_value()) {}
 
 DirectLight3::DirectLight3(const PreparedScene3& prepared, const Vector3& sun)
     : prepared_(prepared),
-      map_(ExactMap3::of_sun(prepared.blockers(), sun)),
+      map_(ExactVisibilityMap3::of_sun(prepared.occluders(), sun)),
       finder_(map_),
       beam_(Beam3{}),
       sun_(sun) {}

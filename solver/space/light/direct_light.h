@@ -9,8 +9,8 @@
 #include "geometry/face.h"
 #include "geometry/space/point.h"
 #include "geometry/space/visibility/beam.h"
-#include "geometry/space/visibility/exact_map.h"
-#include "geometry/space/visibility/sight_finder.h"
+#include "geometry/space/visibility/exact_visibility_map.h"
+#include "geometry/space/visibility/visibility_finder.h"
 
 namespace hottel {
 
@@ -29,7 +29,8 @@ struct LitPart3 {
 
 // A light in a scene, to be asked for what arrives at points. Values are for the power 1; multiply by P.
 //
-//   (1) mean_irradiance(x) is I / (4 r^2) where the segment from the light to x is free (SightFinder3) and in the beam,
+//   (1) mean_irradiance(x) is I / (4 r^2) where the segment from the light to x is free (VisibilityFinder3) and in the
+//   beam,
 //       its border included; else 0. What is free and what is in the beam is decided exactly; the value is off by a few
 //       ulps, and n ulps more for a falloff n.                                       [unit: 1 / area]
 //   (2) irradiance(x, m) is I cos(m, to the light) / r^2 there, and 0 on the side that looks away. The polygon on which
@@ -48,7 +49,7 @@ class DirectLight3 {
   // A sun, by the direction of its rays, which is not zero.
   DirectLight3(const PreparedScene3& prepared, const Vector3& sun);
 
-  const ExactMap3& map() const { return map_; }
+  const ExactVisibilityMap3& map() const { return map_; }
   const BeamPower3& beam() const { return beam_; }
   bool is_in_solid() const { return is_in_solid_; }
 
@@ -60,8 +61,8 @@ class DirectLight3 {
   double intensity_to(const Point3& point) const;  // 0 where it is not seen
 
   const PreparedScene3& prepared_;
-  ExactMap3 map_;
-  SightFinder3 finder_;
+  ExactVisibilityMap3 map_;
+  VisibilityFinder3 finder_;
   BeamPower3 beam_;
   std::optional<Vector3> sun_;
   bool is_in_solid_ = false;

@@ -77,7 +77,7 @@ double GatheredLight3::factor(const Side& side, const Outline& outline, const Ey
 
 GatheredLight3::GatheredLight3(const PreparedScene3& prepared, Granularity granularity,
                                const RadiositySolution& solution, std::span<const PartRun3> runs)
-    : prepared_(prepared), solution_(solution), sides_(2 * prepared.blockers().size()) {
+    : prepared_(prepared), solution_(solution), sides_(2 * prepared.occluders().size()) {
   const ElementTable3& table = *prepared.elements(granularity);
   for (std::size_t k = 0; k < table.parts().size(); ++k) {
     const ElementTable3::Part& part = table.parts()[k];
@@ -85,7 +85,7 @@ GatheredLight3::GatheredLight3(const PreparedScene3& prepared, Granularity granu
     Side& side = sides_[Face{part.patch.surface, part.is_back}.number()];
     if (side.parts.empty()) add_side(part.patch, side);
     std::vector<Direction3> corners;
-    for (const Point3& corner : corners_of(prepared.blockers().vertices(), part.patch))
+    for (const Point3& corner : corners_of(prepared.occluders().vertices(), part.patch))
       corners.push_back(rounded_point(corner));
     Part& own = side.parts.emplace_back(Part{part.label, flat(side, corners), {}, {}, 0});
     own.box = box_of(own.outline);
@@ -97,11 +97,11 @@ GatheredLight3::GatheredLight3(const PreparedScene3& prepared, Granularity granu
 
 // The coordinates by which a plane is told best.
 void GatheredLight3::add_side(const Patch3& patch, Side& side) const {
-  const Direction3 n = unit_of_3(normal_of_side_3(prepared_.blockers(), {patch.surface, false}));
+  const Direction3 n = unit_of_3(normal_of_side_3(prepared_.occluders(), {patch.surface, false}));
   const std::array<double, 3> size{std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)};
   const auto most = static_cast<std::size_t>(std::ranges::max_element(size) - size.begin());
   side.axes = {(most + 1) % 3, (most + 2) % 3, most};
-  const Direction3 corner = rounded_point(corners_of(prepared_.blockers().vertices(), patch)[0]);
+  const Direction3 corner = rounded_point(corners_of(prepared_.occluders().vertices(), patch)[0]);
   const double out = coordinate(n, most);
   side.by_u = -coordinate(n, side.axes[0]) / out;
   side.by_v = -coordinate(n, side.axes[1]) / out;
@@ -139,12 +139,13 @@ void GatheredLight3::add_run(const PartRun3& run, const Side& side, Part& part) 
 }
 
 void GatheredLight3::irradiance(const Point3& point, const Face& side, std::span<double> result) const {
-  const Vector3 normal = normal_of_side_3(prepared_.blockers(), side);
-  const PointMap3 map = map_from(prepared_.blockers(), {.eye = point, .normal = Point3{normal.x, normal.y, normal.z}});
+  const Vector3 normal = normal_of_side_3(prepared_.occluders(), side);
+  const VisibilityMap3 map =
+      map_from(prepared_.occluders(), {.eye = point, .normal = Point3{normal.x, normal.y, normal.z}});
   const Eye eye{rounded_point(point), unit_of_3(normal)};
   std::fill(result.begin(), result.end(), 0.0);
   std::vector<Seen> near;
-  for (const PointMap3::Fragment& fragment : map.fragments) add_fragment(map, fragment, eye, result, near);
+  for (const VisibilityMap3::Fragment& fragment : map.fragments) add_fragment(map, fragment, eye, result, near);
   for (std::size_t c = 0; c < result.size(); ++c) result[c] += map.sky_factor * sky_[c];
   double all = 0;
   for (const double value : result) all += value;
@@ -152,7 +153,7 @@ void GatheredLight3::irradiance(const Point3& point, const Face& side, std::span
 }
 
 // Each element by what is seen of it, in the proportion of their factors.
-void GatheredLight3::add_fragment(const PointMap3& map, const PointMap3::Fragment& fragment, const Eye& eye,
+void GatheredLight3::add_fragment(const VisibilityMap3& map, const VisibilityMap3::Fragment& fragment, const Eye& eye,
                                   std::span<double> result, std::vector<Seen>& near) const {
   const Side& side = sides_[fragment.face.number()];
   if (side.parts.empty()) return;

@@ -13,7 +13,7 @@
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/visibility/direction.h"
-#include "geometry/space/visibility/point_map.h"
+#include "geometry/space/visibility/visibility_map.h"
 #include "solver/radiosity/radiosity_solution.h"
 
 namespace hottel {
@@ -30,8 +30,8 @@ struct PartRun3 {
 
 // The irradiance of points of faces by the elements and the sky: sum_j F(x, j) B_j.
 //
-//   (1) what is seen is decided exactly, from the exact point (PointMap3); angles are in doubles. Where each element
-//   has
+//   (1) what is seen is decided exactly, from the exact point (VisibilityMap3); angles are in doubles. Where each
+//   element has
 //       one radiosity the mean over an element is the irradiance that the solution has, but for direct light
 //   (2) where radiosity runs over elements, it is summed over parts of them that are so small that this is off by some
 //       thousandth at most, as a rule by much less; that is an estimate. Then nothing jumps at the borders of elements
@@ -104,8 +104,8 @@ class GatheredLight3 {
   static double factor(const Side& side, const Outline& outline, const Eye& eye);
   void add_side(const Patch3& patch, Side& side) const;
   void add_run(const PartRun3& run, const Side& side, Part& part) const;
-  void add_fragment(const PointMap3& map, const PointMap3::Fragment& fragment, const Eye& eye, std::span<double> result,
-                    std::vector<Seen>& near) const;
+  void add_fragment(const VisibilityMap3& map, const VisibilityMap3::Fragment& fragment, const Eye& eye,
+                    std::span<double> result, std::vector<Seen>& near) const;
   void add(std::uint32_t label, double factor, std::span<double> result) const;
   void add_runs(const Seen& seen, const Eye& eye, double slack, std::span<double> result) const;
   struct Halving;

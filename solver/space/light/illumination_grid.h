@@ -48,8 +48,8 @@ IlluminationGrid3 light_in_cells(const Grid3& grid, std::uint32_t channels,
 // radiosity seen there, which is the mean over them; and that of lights, I / (4 r^2) where they reach. [unit: that of
 // radiosity]
 //
-//   (1) what is seen is decided exactly, from the exact centre (PointMap3); solid angles are in doubles. A cell does
-//   not
+//   (1) what is seen is decided exactly, from the exact centre (VisibilityMap3); solid angles are in doubles. A cell
+//   does not
 //       depend on the others
 //   (2) directions to the sky carry its emission; black sides are 0. A centre on a face sees both half spaces
 //   (3) without lights never below the least nor above the largest radiosity seen but for rounding: some 1e-15 of it

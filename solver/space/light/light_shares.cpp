@@ -6,7 +6,7 @@
 
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
-#include "geometry/space/visibility/exact_map.h"
+#include "geometry/space/visibility/exact_visibility_map.h"
 #include "geometry/unit_of_length.h"
 #include "kernel/support/parallel.h"
 
@@ -43,9 +43,9 @@ using Shares = std::vector<std::pair<std::uint32_t, Ball>>;  // by label
 // What of each fragment of a map goes to which element, by a measure of cones. Of sides that no element has: the sky.
 template <class Measure>
 std::vector<Shares> shares_of_fragments(const PreparedScene3& prepared, const ElementTable3& table,
-                                        const ExactMap3& map, const Measure& measure) {
-  const SideParts sides(table, prepared.blockers().size());
-  const std::vector<PointMap3::Fragment>& fragments = map.map().fragments;
+                                        const ExactVisibilityMap3& map, const Measure& measure) {
+  const SideParts sides(table, prepared.occluders().size());
+  const std::vector<VisibilityMap3::Fragment>& fragments = map.map().fragments;
   std::vector<Shares> shares(fragments.size());
   parallel_for(
       fragments.size(),
@@ -68,10 +68,10 @@ std::vector<Shares> shares_of_fragments(const PreparedScene3& prepared, const El
 
 LightShares3 light_shares(const PreparedScene3& prepared, const ElementTable3& table, const Point3& position,
                           const Beam3& beam) {
-  return light_shares(prepared, table, ExactMap3(prepared.blockers(), position), BeamPower3(beam));
+  return light_shares(prepared, table, ExactVisibilityMap3(prepared.occluders(), position), BeamPower3(beam));
 }
 
-LightShares3 light_shares(const PreparedScene3& prepared, const ElementTable3& table, const ExactMap3& map,
+LightShares3 light_shares(const PreparedScene3& prepared, const ElementTable3& table, const ExactVisibilityMap3& map,
                           const BeamPower3& beam) {
   LightShares3 result;
   result.elements.resize(table.count());
@@ -95,7 +95,8 @@ LightShares3 light_shares(const PreparedScene3& prepared, const ElementTable3& t
   return result;
 }
 
-std::vector<Enclosure> sunlit_areas(const PreparedScene3& prepared, const ElementTable3& table, const ExactMap3& map) {
+std::vector<Enclosure> sunlit_areas(const PreparedScene3& prepared, const ElementTable3& table,
+                                    const ExactVisibilityMap3& map) {
   const auto area = [sun = map.sun()](const ExactCone3& cone) {
     Ball sum;
     for (std::size_t k = 1; k + 1 < cone.corners.size(); ++k)

@@ -11,7 +11,7 @@
 namespace hottel {
 
 class ElementTable3;
-class ExactMap3;
+class ExactVisibilityMap3;
 struct PreparedScene3;
 
 // A part of the power of a light: the real number is within the bounds, and the value is the double nearest to it or a
@@ -48,7 +48,7 @@ LightShares3 light_shares(const PreparedScene3& prepared, const ElementTable3& t
                           const Beam3& beam);
 
 // The same where the map of the point is known.
-LightShares3 light_shares(const PreparedScene3& prepared, const ElementTable3& table, const ExactMap3& map,
+LightShares3 light_shares(const PreparedScene3& prepared, const ElementTable3& table, const ExactVisibilityMap3& map,
                           const BeamPower3& beam);
 
 // Returns the area of what a sun lights of each element, across its rays, within bounds: irradiance times area is what
@@ -59,6 +59,7 @@ LightShares3 light_shares(const PreparedScene3& prepared, const ElementTable3& t
 //
 // REQUIRES the table of the prepared scene, and the map of a sun. Throws Interrupted when asked to stop.
 // COST: for each fragment of the map, and each element in it, a determinant of integers a corner.
-std::vector<Enclosure> sunlit_areas(const PreparedScene3& prepared, const ElementTable3& table, const ExactMap3& map);
+std::vector<Enclosure> sunlit_areas(const PreparedScene3& prepared, const ElementTable3& table,
+                                    const ExactVisibilityMap3& map);
 
 }  // namespace hottel

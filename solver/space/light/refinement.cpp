@@ -9,7 +9,7 @@
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/division.h"
-#include "geometry/space/visibility/exact_map.h"
+#include "geometry/space/visibility/exact_visibility_map.h"
 #include "kernel/support/parallel.h"
 #include "solver/space/light/scene_light_shares.h"
 
@@ -43,11 +43,11 @@ struct Circle {
 class LitPatches3 {
  public:
   LitPatches3(const PreparedScene3& prepared, const Light& light, const LightPlace3& place)
-      : map_(exact_map_of(prepared, light, place)),
+      : map_(exact_visibility_map_of(prepared, light, place)),
         beam_(beam_of(light, place)),
         is_in_solid_(!light.is_sun() && prepared.arrangement().solids().around(place.position).has_value()) {
     for (std::size_t f = 0; f < map_.size(); ++f) {
-      const PointMap3::Fragment& fragment = map_.map().fragments[f];
+      const VisibilityMap3::Fragment& fragment = map_.map().fragments[f];
       std::vector<Direction3> corners;
       for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) corners.push_back(map_.map().corners[c].direction);
       circles_.push_back(Circle::around(corners));
@@ -82,7 +82,7 @@ class LitPatches3 {
 
   Circle circle_of(const Patch3& patch) const {
     std::vector<Direction3> corners;
-    for (const Point3& corner : corners_of(map_.blockers().vertices(), patch)) {
+    for (const Point3& corner : corners_of(map_.occluders().vertices(), patch)) {
       const Vector3 way = corner - map_.eye();
       const Direction3 direction{to_double(way.x), to_double(way.y), to_double(way.z)};
       const double size = std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
@@ -100,7 +100,7 @@ class LitPatches3 {
                                                : Reach::kNothing;
   }
 
-  ExactMap3 map_;
+  ExactVisibilityMap3 map_;
   BeamPower3 beam_;
   bool is_in_solid_;
   std::vector<Circle> circles_;           // by fragment

@@ -4,8 +4,8 @@
 
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
-#include "geometry/space/visibility/exact_map.h"
-#include "kernel/support/naming_file.h"
+#include "geometry/space/visibility/exact_visibility_map.h"
+#include "kernel/support/with_file_context.h"
 #include "solver/space/light/light_shares.h"
 
 namespace hottel {
@@ -35,9 +35,10 @@ Beam3 beam_of(const Light& light, const LightPlace3& place) {
   return {place.direction, light.focus, light.falloff};
 }
 
-ExactMap3 exact_map_of(const PreparedScene3& prepared, const Light& light, const LightPlace3& place) {
-  return light.is_sun() ? ExactMap3::of_sun(prepared.blockers(), place.direction)
-                        : ExactMap3(prepared.blockers(), place.position);
+ExactVisibilityMap3 exact_visibility_map_of(const PreparedScene3& prepared, const Light& light,
+                                            const LightPlace3& place) {
+  return light.is_sun() ? ExactVisibilityMap3::of_sun(prepared.occluders(), place.direction)
+                        : ExactVisibilityMap3(prepared.occluders(), place.position);
 }
 
 bool is_lit_alike_3(const Light& a, const LightPlace3& at, const Light& b, const LightPlace3& there) {
@@ -75,7 +76,7 @@ std::vector<LightShares> LitElements3::shares(const Scene3& scene) const {
 LightShares LitElements3::compute(const Scene3& scene, std::size_t light) const {
   const LightPlace3& place = scene.light_places[light];
   if (scene.lights[light].is_sun()) return compute_sun(scene.lights[light], place);
-  const LightShares3 shares = naming_file(scene.file, [&] {
+  const LightShares3 shares = with_file_context(scene.file, [&] {
     return light_shares(*prepared_, table_, *map_from(place.position), BeamPower3(beam_of(scene.lights[light], place)));
   });
   LightShares result;
@@ -90,7 +91,7 @@ LightShares LitElements3::compute(const Scene3& scene, std::size_t light) const 
 
 LightShares LitElements3::compute_sun(const Light& light, const LightPlace3& place) const {
   LightShares result;
-  result.of_element = sunlit_areas(*prepared_, table_, exact_map_of(*prepared_, light, place));
+  result.of_element = sunlit_areas(*prepared_, table_, exact_visibility_map_of(*prepared_, light, place));
   result.whole = {0, 0};
   for (const Enclosure& area : result.of_element) result.whole = sum_of_nonnegative(result.whole, area);
   return result;
@@ -99,7 +100,7 @@ LightShares LitElements3::compute_sun(const Light& light, const LightPlace3& pla
 LitElements3::MapPtr LitElements3::map_from(const Point3& position) const {
   MapPtr map = take_known(known_->mutex, known_->maps, [&](const MapPtr& one) { return one->eye() == position; });
   if (map == nullptr) {
-    map = std::make_shared<const ExactMap3>(prepared_->blockers(), position);
+    map = std::make_shared<const ExactVisibilityMap3>(prepared_->occluders(), position);
     keep(known_->mutex, known_->maps, map, kMostMaps);
   }
   return map;

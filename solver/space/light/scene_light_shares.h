@@ -18,7 +18,8 @@ namespace hottel {
 Beam3 beam_of(const Light& light, const LightPlace3& place);
 
 // What a light sees as it stands.
-ExactMap3 exact_map_of(const PreparedScene3& prepared, const Light& light, const LightPlace3& place);
+ExactVisibilityMap3 exact_visibility_map_of(const PreparedScene3& prepared, const Light& light,
+                                            const LightPlace3& place);
 
 // Whether two lights shine on the same: they stand at one place, and their beams are the same; of suns, their
 // directions. Neither power nor motion matters.
@@ -35,7 +36,7 @@ bool is_lit_alike_3(const Light& a, const LightPlace3& at, const Light& b, const
 // piece that it sees. Nothing without lights.
 std::vector<LightShares> light_shares(const PreparedScene3& prepared, Granularity granularity);
 
-class ExactMap3;
+class ExactVisibilityMap3;
 
 // The elements of a scene, to be asked for the shares of lights wherever these stand.
 //
@@ -54,7 +55,7 @@ class LitElements3 {
 
  private:
   static constexpr std::size_t kMostMaps = 16, kMostShares = 64;
-  using MapPtr = std::shared_ptr<const ExactMap3>;
+  using MapPtr = std::shared_ptr<const ExactVisibilityMap3>;
   struct KnownShares {
     Light light;
     LightPlace3 place;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNothing = 1e-15;  // what rounding makes of it
 
-std::vector<Direction3> cone_of(const PointMap3& map, const PointMap3::Fragment& fragment) {
+std::vector<Direction3> cone_of(const VisibilityMap3& map, const VisibilityMap3::Fragment& fragment) {
   std::vector<Direction3> cone;
   for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) cone.push_back(map.corners[c].direction);
   return cone;
@@ -31,7 +31,7 @@ std::vector<Direction3> part_toward(const std::vector<Direction3>& cone, const s
 }  // namespace
 
 SeenElements3::SeenElements3(const PreparedScene3& prepared, const ElementTable3& table, Blacks3 blacks)
-    : prepared_(prepared), blacks_(blacks), parts_(2 * prepared.blockers().size()) {
+    : prepared_(prepared), blacks_(blacks), parts_(2 * prepared.occluders().size()) {
   add_parts(table, blacks);
   add_covers();
 }
@@ -42,7 +42,7 @@ void SeenElements3::add_parts(const ElementTable3& table, Blacks3 blacks) {
     Side& side = parts_[Face{part.patch.surface, part.is_back}.number()];
     side.is_divided = side.is_divided || (!side.parts.empty() && side.parts[0].label != part.label);
     side.parts.push_back({part.label, {}});
-    for (const Point3& corner : corners_of(prepared_.blockers().vertices(), part.patch))
+    for (const Point3& corner : corners_of(prepared_.occluders().vertices(), part.patch))
       side.parts.back().corners.push_back({to_double(corner.x), to_double(corner.y), to_double(corner.z)});
   }
 }
@@ -64,39 +64,40 @@ void SeenElements3::add_covers() {
 }
 
 std::optional<double> SeenElements3::around(const Point3& eye, const Take& take) const {
-  const PointMap3 map = map_from(prepared_.blockers(), {.eye = eye, .normal = {}});
-  const auto is_black = [this](const PointMap3::Fragment& fragment) {
+  const VisibilityMap3 map = map_from(prepared_.occluders(), {.eye = eye, .normal = {}});
+  const auto is_black = [this](const VisibilityMap3::Fragment& fragment) {
     return parts_[fragment.face.number()].parts.empty();
   };
   if (blacks_ == Blacks3::kLeftOut && prepared_.scene.closed && std::ranges::all_of(map.fragments, is_black))
     return std::nullopt;
   if (map.sky_fraction < kNothing && is_in_solids(map, eye)) return std::nullopt;
   tell(
-      map, eye, [](const PointMap3::Fragment& fragment) { return fragment.fraction; },
+      map, eye, [](const VisibilityMap3::Fragment& fragment) { return fragment.fraction; },
       [](std::span<const Direction3> cone) { return solid_angle_fraction_3(cone); }, take);
   return map.sky_fraction;
 }
 
 double SeenElements3::toward(const Point3& eye, const Vector3& normal, const Take& take) const {
-  const PointMap3 map = map_from(prepared_.blockers(), {.eye = eye, .normal = Point3{normal.x, normal.y, normal.z}});
+  const VisibilityMap3 map =
+      map_from(prepared_.occluders(), {.eye = eye, .normal = Point3{normal.x, normal.y, normal.z}});
   const Direction3 up = unit_of_3(normal);
   tell(
-      map, eye, [](const PointMap3::Fragment& fragment) { return fragment.factor; },
+      map, eye, [](const VisibilityMap3::Fragment& fragment) { return fragment.factor; },
       [&up](std::span<const Direction3> cone) { return view_factor_3(cone, up); }, take);
   return map.sky_factor;
 }
 
 template <class FractionOf, class Measure>
-void SeenElements3::tell(const PointMap3& map, const Point3& eye, const FractionOf& fraction_of, const Measure& measure,
-                         const Take& take) const {
-  const auto side_of = [this](const PointMap3::Fragment& fragment) -> const Side& {
+void SeenElements3::tell(const VisibilityMap3& map, const Point3& eye, const FractionOf& fraction_of,
+                         const Measure& measure, const Take& take) const {
+  const auto side_of = [this](const VisibilityMap3::Fragment& fragment) -> const Side& {
     return parts_[fragment.face.number()];
   };
-  const auto may_be_covered = [&](const PointMap3::Fragment& fragment) { return side_of(fragment).is_covered; };
+  const auto may_be_covered = [&](const VisibilityMap3::Fragment& fragment) { return side_of(fragment).is_covered; };
   const bool is_on_solid =
       std::ranges::any_of(map.fragments, may_be_covered) && !solids_at(prepared_.arrangement().solids(), eye).empty();
   const Direction3 from{to_double(eye.x), to_double(eye.y), to_double(eye.z)};
-  for (const PointMap3::Fragment& fragment : map.fragments) {
+  for (const VisibilityMap3::Fragment& fragment : map.fragments) {
     const Side& side = side_of(fragment);
     if (side.parts.empty()) continue;
     if (is_on_solid && side.is_covered) {
@@ -127,9 +128,9 @@ void SeenElements3::tell_free(const std::vector<Direction3>& cone, const Side& s
 }
 
 // Whether all that a point would see looks into solids: so it is within a wall between several.
-bool SeenElements3::is_in_solids(const PointMap3& map, const Point3& eye) const {
+bool SeenElements3::is_in_solids(const VisibilityMap3& map, const Point3& eye) const {
   const Direction3 from{to_double(eye.x), to_double(eye.y), to_double(eye.z)};
-  return !map.fragments.empty() && std::ranges::all_of(map.fragments, [&](const PointMap3::Fragment& fragment) {
+  return !map.fragments.empty() && std::ranges::all_of(map.fragments, [&](const VisibilityMap3::Fragment& fragment) {
     const Side& side = parts_[fragment.face.number()];
     return side.is_covered && std::ranges::none_of(side.free, [&](const std::vector<Direction3>& free) {
              const std::vector<Direction3> seen = part_toward(cone_of(map, fragment), free, from);

@@ -10,7 +10,7 @@
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/visibility/direction.h"
-#include "geometry/space/visibility/point_map.h"
+#include "geometry/space/visibility/visibility_map.h"
 
 namespace hottel {
 
@@ -19,7 +19,8 @@ enum class Blacks3 : bool { kLeftOut, kListed };
 
 // The elements on the sides of pieces, to be looked for in what points see.
 //
-//   (1) what is seen is decided exactly, from the exact point (PointMap3); angles are in doubles. Of a face that is
+//   (1) what is seen is decided exactly, from the exact point (VisibilityMap3); angles are in doubles. Of a face that
+//   is
 //       divided each element has its part
 //   (2) nothing is seen through a solid on whose border a point is
 //   (3) with blacks listed the fractions of what is seen and that of the sky sum to 1 but for rounding, but of a point
@@ -55,9 +56,9 @@ class SeenElements3 {
 
   void add_parts(const ElementTable3& table, Blacks3 blacks);
   void add_covers();
-  bool is_in_solids(const PointMap3& map, const Point3& eye) const;
+  bool is_in_solids(const VisibilityMap3& map, const Point3& eye) const;
   template <class FractionOf, class Measure>
-  void tell(const PointMap3& map, const Point3& eye, const FractionOf& fraction_of, const Measure& measure,
+  void tell(const VisibilityMap3& map, const Point3& eye, const FractionOf& fraction_of, const Measure& measure,
             const Take& take) const;
   template <class Measure>
   void tell_free(const std::vector<Direction3>& cone, const Side& side, const Direction3& eye, const Measure& measure,

@@ -6,12 +6,12 @@
 #include "geometry/name.h"
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
-#include "geometry/space/visibility/exact_map.h"
-#include "geometry/space/visibility/sight_finder.h"
+#include "geometry/space/visibility/exact_visibility_map.h"
+#include "geometry/space/visibility/visibility_finder.h"
 #include "geometry/unit_of_length.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/naming_file.h"
 #include "kernel/support/parallel.h"
+#include "kernel/support/with_file_context.h"
 #include "solver/space/light/scene_light_shares.h"
 
 namespace hottel {
@@ -60,8 +60,8 @@ double root(const Rational& square) {
 class Tester {
  public:
   Tester(const PreparedScene3& prepared, const Light& light, const LightPlace3& place, LightTest test)
-      : vertices_(prepared.blockers().vertices()),
-        map_(exact_map_of(prepared, light, place)),
+      : vertices_(prepared.occluders().vertices()),
+        map_(exact_visibility_map_of(prepared, light, place)),
         finder_(map_),
         beam_(beam_of(light, place)),
         sun_(place.direction),
@@ -93,8 +93,8 @@ class Tester {
   bool passes(const Point3& point) const { return beam_.side(map_.toward(point)) >= 0 && finder_.sees(point); }
 
   const Vertices3& vertices_;
-  ExactMap3 map_;
-  SightFinder3 finder_;
+  ExactVisibilityMap3 map_;
+  VisibilityFinder3 finder_;
   BeamPower3 beam_;
   Vector3 sun_;           // of a sun: the direction of its rays
   double square_metres_;  // of a square of the unit of the scene
@@ -129,7 +129,7 @@ std::vector<LightShares> light_shares(const PreparedScene3& prepared, Granularit
   const ElementTable3& table = *prepared.elements(granularity);
   for (std::size_t k = 0; k < result.size(); ++k) {
     result[k].test = test;
-    naming_file(scene.file, [&] {
+    with_file_context(scene.file, [&] {
       const LightPlace3& place = scene.light_places[k];
       test_elements(table, Tester(prepared, scene.lights[k], place, test), scene.lights[k], result[k]);
     });

@@ -13,7 +13,7 @@ namespace hottel {
 // Returns the shares of each light as it stands, by a test; those of kExact are light_shares(prepared, granularity).
 //
 //   (1) which points are tested, and what an element that passes gets: LightTest; vertices are all corners. A point is
-//       seen as SightFinder3 says
+//       seen as VisibilityFinder3 says
 //   (2) decided exactly; the share itself is off by a few ulps, and n ulps more for a falloff n. It is no bound
 //   (3) an element of several patches, where it is not convex or covers leave them, gets what each of them, as an
 //       element by itself, would get

@@ -1,6 +1,6 @@
 // Centre to centre, times the exact partial visibility: F_ij = A_j cos cos' / (pi r^2) Vis(i, j).
 // GUARANTEE: estimated.
-// REFERENCE: as center; the exact visibility is that of docs/design/space/pair_measure.md.
+// REFERENCE: as center; the exact visibility is that of docs/design/space/pair_integrator.md.
 #include <memory>
 
 #include "kernel/support/failure.h"

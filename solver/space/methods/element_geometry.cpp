@@ -38,7 +38,7 @@ std::vector<Vector3d> rounded_corners(const Vertices3& vertices, const Patch3& p
 }
 
 ElementGeometry3::ElementGeometry3(const PreparedScene3& prepared) : table_(prepared.elements(Granularity::kElement)) {
-  const Vertices3& vertices = prepared.blockers().vertices();
+  const Vertices3& vertices = prepared.occluders().vertices();
   for (std::uint32_t element = 0; element < table_->count(); ++element) {
     begin_.push_back(patches_.size());
     for (const ElementTable3::Part& part : table_->free_parts(element)) {

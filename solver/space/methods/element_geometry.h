@@ -19,7 +19,7 @@ using Vector3d = LocalVector3<double>;
 //   (1) corners run counter-clockwise seen from its front; the normal, of length 1, leads into the space that the front
 //       looks into
 struct ElementPatch3 {
-  std::uint32_t piece = 0;  // of PreparedScene3::blockers()
+  std::uint32_t piece = 0;  // of PreparedScene3::occluders()
   const Patch3* exact = nullptr;
   std::vector<Vector3d> corners;
   Vector3d normal, centre;  // centre: of its area

@@ -46,8 +46,8 @@ struct EmbreeScene3::Held {
   }
 };
 
-EmbreeScene3::EmbreeScene3(const Blockers3& blockers) : held_(std::make_unique<Held>()) {
-  const Vertices3& vertices = blockers.vertices();
+EmbreeScene3::EmbreeScene3(const Occluders3& occluders) : held_(std::make_unique<Held>()) {
+  const Vertices3& vertices = occluders.vertices();
   double largest = 0;
   for (const VertexId3 v : IdRange<VertexId3>(vertices.size()))
     largest = std::max(largest, vertices.approximate(v).size);
@@ -62,8 +62,8 @@ EmbreeScene3::EmbreeScene3(const Blockers3& blockers) : held_(std::make_unique<H
   held_->require(geometry != nullptr);
 
   std::vector<std::array<unsigned, 3>> triangles;
-  for (std::uint32_t piece = 0; piece < blockers.size(); ++piece) {
-    const auto outline = blockers.outline(piece);
+  for (std::uint32_t piece = 0; piece < occluders.size(); ++piece) {
+    const auto outline = occluders.outline(piece);
     for (std::size_t k = 1; k + 1 < outline.size(); ++k) {
       triangles.push_back({static_cast<unsigned>(outline[0].index()), static_cast<unsigned>(outline[k].index()),
                            static_cast<unsigned>(outline[k + 1].index())});

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "geometry/space/arrangement/blockers.h"
+#include "geometry/space/arrangement/occluders.h"
 #include "solver/space/methods/element_geometry.h"
 
 namespace hottel {
@@ -20,7 +20,7 @@ struct RayHit3 {
 class EmbreeScene3 {
  public:
   // Throws RequestError where Embree has no memory, or cannot run on this processor.
-  explicit EmbreeScene3(const Blockers3& blockers);
+  explicit EmbreeScene3(const Occluders3& occluders);
   ~EmbreeScene3();
 
   // Returns what a ray meets first, another piece than its own; nothing where it meets none. way: of length 1.

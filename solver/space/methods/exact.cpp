@@ -1,6 +1,6 @@
 // View factors with occlusion as integrals along edges.
 // GUARANTEE: each entry says: enclosed where nothing stands between, else estimated within the tolerance.
-// REFERENCE: docs/design/space/pair_measure.md.
+// REFERENCE: docs/design/space/pair_integrator.md.
 #include "geometry/space/exchange/exchange.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
@@ -9,7 +9,7 @@
 namespace hottel {
 namespace {
 
-constexpr const char* kReference = "docs/design/space/pair_measure.md";
+constexpr const char* kReference = "docs/design/space/pair_integrator.md";
 
 class Exact3 final : public ExchangeMethod3 {
  public:
@@ -21,7 +21,7 @@ class Exact3 final : public ExchangeMethod3 {
     report.row_defect = counts.max_defect;
     report.counts.surfaces = counts.surfaces;
     report.counts.vertices = counts.vertices;
-    report.counts.pieces = prepared.blockers().size();
+    report.counts.pieces = prepared.occluders().size();
     report.counts.elements = counts.elements;
     report.counts.pairs = counts.pairs;
     report.counts.seconds = counts.seconds;

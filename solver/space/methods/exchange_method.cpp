@@ -19,8 +19,8 @@ ExchangeMatrix ElementMethod3::compute(const PreparedScene3& prepared, const Exc
   const double seconds = watch.lap();
   ExchangeReport& counts = report.counts;
   counts.surfaces = prepared.scene.surfaces.size();
-  counts.vertices = prepared.blockers().vertices().size();
-  counts.pieces = prepared.blockers().size();
+  counts.vertices = prepared.occluders().vertices().size();
+  counts.pieces = prepared.occluders().size();
   counts.elements = matrix.size();
   counts.pairs = matrix.entry_count();
   counts.seconds["prepare"] = prepared.seconds;

@@ -63,7 +63,7 @@ PairsOfElements PairMethod3::pairs_and_contacts(const Setting& setting) const {
 ExchangeMatrix PairMethod3::compute_elements(const PreparedScene3& prepared,
                                              const std::function<void(double)>& progress, MethodReport& report) const {
   const ElementGeometry3 geometry(prepared);
-  const SegmentVisibility3 visibility(prepared.blockers());
+  const SegmentVisibility3 visibility(prepared.occluders());
   return matrix_of_pairs({.elements = geometry.table().elements(),
                           .has_row = [&geometry](std::uint32_t i) { return geometry.has_row(i); },
                           .is_open = open_elements(geometry, visibility)},
@@ -72,7 +72,7 @@ ExchangeMatrix PairMethod3::compute_elements(const PreparedScene3& prepared,
 
 ExchangeMethod3::FactorsOfPairs PairMethod3::factors_of_pairs(const PreparedScene3& prepared) const {
   struct Known {
-    explicit Known(const PreparedScene3& of) : geometry(of), visibility(of.blockers()) {}
+    explicit Known(const PreparedScene3& of) : geometry(of), visibility(of.occluders()) {}
     ElementGeometry3 geometry;
     SegmentVisibility3 visibility;
   };
@@ -84,7 +84,7 @@ ExchangeMethod3::FactorsOfPairs PairMethod3::factors_of_pairs(const PreparedScen
 ExchangeMethod3::ClaimedErrors PairMethod3::claimed_errors(const PreparedScene3& prepared) const {
   if (!rule_) return ElementMethod3::claimed_errors(prepared);
   const ElementGeometry3 geometry(prepared);
-  const std::vector<char> is_open = open_elements(geometry, SegmentVisibility3(prepared.blockers()));
+  const std::vector<char> is_open = open_elements(geometry, SegmentVisibility3(prepared.occluders()));
   const bool is_closed = prepared.scene.closed;
   return [claims = quadrature_claims_3(prepared, *rule_), sky = geometry.table().sky(), is_open, is_closed](
              std::uint32_t from, std::uint32_t to) {
@@ -98,7 +98,7 @@ std::optional<double> PairMethod3::declared_error(const PreparedScene3& prepared
   const std::optional<double> claim = quadrature_claim_3(prepared, *rule_);
   if (!claim) return std::nullopt;
   const ElementGeometry3 geometry(prepared);
-  const std::vector<char> is_open = open_elements(geometry, SegmentVisibility3(prepared.blockers()));
+  const std::vector<char> is_open = open_elements(geometry, SegmentVisibility3(prepared.occluders()));
   for (std::uint32_t i = 0; i < geometry.count(); ++i)
     if (geometry.has_row(i) && !is_open[i] && !prepared.scene.closed) return std::nullopt;
   return claim;

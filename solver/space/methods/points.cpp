@@ -1,5 +1,5 @@
 // points:n, exact factors from n x n Gauss-Legendre points of each patch: what is left is the quadrature over one area.
-// F_ij = sum_k w_k F(x_k, j), F(x, j) from the exact map of the point (geometry/space/visibility/point_map.h).
+// F_ij = sum_k w_k F(x_k, j), F(x, j) from the exact map of the point (geometry/space/visibility/visibility_map.h).
 // GUARANTEE: estimated. The error is that of the quadrature of x -> F(x, j): smooth where nothing hides a part of j,
 // with kinks where something does, singular where elements touch. REFERENCE: Gauss-Legendre quadrature (Trefethen,
 // Approximation Theory and Approximation Practice, 2013, chapter 19).
@@ -8,7 +8,7 @@
 
 #include "geometry/space/prepared/face_patches.h"
 #include "geometry/space/visibility/convex_cut.h"
-#include "geometry/space/visibility/point_map.h"
+#include "geometry/space/visibility/visibility_map.h"
 #include "solver/methods/factor_rows.h"
 #include "solver/methods/gauss_rule.h"
 #include "solver/radiosity/matrix_checks.h"
@@ -22,14 +22,14 @@ namespace hottel {
 namespace {
 
 constexpr int kMostPoints = 64;
-constexpr double kClosed = 5e-15;  // of the sky, by roundings, where none is seen (point_map.h)
+constexpr double kClosed = 5e-15;  // of the sky, by roundings, where none is seen (visibility_map.h)
 constexpr const char* kReference = "Gauss-Legendre quadrature; Trefethen 2013, chapter 19";
 
 Direction3 direction_of(const Vector3d& way) { return unit({way.x, way.y, way.z}); }
 
 // Of the part of a fragment that a part of its side fills.
-double factor_of(const Vector3d& eye, const Direction3& normal, const PointMap3& map,
-                 const PointMap3::Fragment& fragment, const std::vector<Vector3d>& part) {
+double factor_of(const Vector3d& eye, const Direction3& normal, const VisibilityMap3& map,
+                 const VisibilityMap3::Fragment& fragment, const std::vector<Vector3d>& part) {
   std::vector<Direction3> cone;
   for (std::uint32_t k = fragment.begin; k < fragment.end; ++k) cone.push_back(map.corners[k].direction);
   std::vector<Direction3> ways;
@@ -42,16 +42,16 @@ double factor_of(const Vector3d& eye, const Direction3& normal, const PointMap3&
 }
 
 // Adds what a point with a normal sees of a side of a piece, by element; `fragments` are those of one share.
-void add_share(const Vector3d& eye, const Direction3& normal, const PointMap3& map, const PointMap3::Share& share,
-               std::span<const PointMap3::Fragment> fragments, std::span<const SidePart3> side, double weight,
-               RowSums& by) {
+void add_share(const Vector3d& eye, const Direction3& normal, const VisibilityMap3& map,
+               const VisibilityMap3::Share& share, std::span<const VisibilityMap3::Fragment> fragments,
+               std::span<const SidePart3> side, double weight, RowSums& by) {
   if (!(share.factor > 0)) return;
   if (side.size() == 1) return by.add(side.front().label, weight * share.factor);
   // What roundings leave goes to all in proportion: rows sum to 1.
   std::vector<double> seen(side.size(), 0);
   double all = 0;
   for (std::size_t k = 0; k < side.size(); ++k) {
-    for (const PointMap3::Fragment& fragment : fragments)
+    for (const VisibilityMap3::Fragment& fragment : fragments)
       seen[k] += factor_of(eye, normal, map, fragment, side[k].corners);
     all += seen[k];
   }
@@ -80,12 +80,12 @@ class Points3 final : public ElementMethod3 {
     const SideElements3 elements(prepared, geometry.table());
     const FillRow fill = [&](std::uint32_t from, RowSums& by) {
       for (const ElementPatch3& patch : geometry.patches(from)) {
-        const std::vector<Point3> corners = corners_of(prepared.blockers().vertices(), *patch.exact);
+        const std::vector<Point3> corners = corners_of(prepared.occluders().vertices(), *patch.exact);
         Look3 look;
-        look.normal = exact_normal(prepared.blockers(), patch);
+        look.normal = exact_normal(prepared.occluders(), patch);
         for (const RulePoint3& point : rule_points(patch, rule_)) {
           look.eye = exact_point(corners, point);
-          add_point(map_from(prepared.blockers(), look), elements, patch, point, geometry.table().sky(), by);
+          add_point(map_from(prepared.occluders(), look), elements, patch, point, geometry.table().sky(), by);
         }
       }
       add_contacts(geometry, from, by);
@@ -97,19 +97,19 @@ class Points3 final : public ElementMethod3 {
   }
 
  private:
-  static Point3 exact_normal(const Blockers3& blockers, const ElementPatch3& patch) {
-    const IntegerVector& front = blockers.exact_normal(patch.piece);
-    const BoundedVector& rounded = blockers.normal(patch.piece);
+  static Point3 exact_normal(const Occluders3& occluders, const ElementPatch3& patch) {
+    const IntegerVector& front = occluders.exact_normal(patch.piece);
+    const BoundedVector& rounded = occluders.normal(patch.piece);
     const int side = dot(Vector3d{rounded.x, rounded.y, rounded.z}, patch.normal) > 0 ? 1 : -1;
     return {Rational(side * front.x), Rational(side * front.y), Rational(side * front.z)};
   }
 
   // Adds what a point of a patch sees, by its map.
-  static void add_point(const PointMap3& map, const SideElements3& elements, const ElementPatch3& patch,
+  static void add_point(const VisibilityMap3& map, const SideElements3& elements, const ElementPatch3& patch,
                         const RulePoint3& point, std::uint32_t sky, RowSums& by) {
     const double weight = patch.share * point.weight;
     std::size_t fragment = 0;
-    for (const PointMap3::Share& share : map.shares) {  // fragments are by face, as the shares are
+    for (const VisibilityMap3::Share& share : map.shares) {  // fragments are by face, as the shares are
       const std::size_t first = fragment;
       while (fragment < map.fragments.size() && map.fragments[fragment].face == share.face) ++fragment;
       add_share(point.at, direction_of(patch.normal), map, share,

@@ -82,7 +82,7 @@ class Rays3 final : public ElementMethod3 {
   ExchangeMatrix compute_elements(const PreparedScene3& prepared, const std::function<void(double)>& progress,
                                   MethodReport& report) const override {
     const ElementGeometry3 geometry(prepared);
-    const EmbreeScene3 scene(prepared.blockers());
+    const EmbreeScene3 scene(prepared.occluders());
     const SideElements3 sides(prepared, geometry.table());
     const RaySamples directions(options_.sampling, options_.rays, options_.seed);
     const RaySamples places(options_.sampling, options_.rays, options_.seed ^ kOtherSeed, 2);
@@ -93,7 +93,7 @@ class Rays3 final : public ElementMethod3 {
       const std::vector<RaySamples::Point> at = paired_places(places, from);
       std::size_t k = 0;
       directions.for_each(from, [&](const RaySamples::Point& direction) {
-        by.add(label_met(prepared.blockers(), scene, sides, starts, at[k++], direction, geometry.table().sky()), 1);
+        by.add(label_met(prepared.occluders(), scene, sides, starts, at[k++], direction, geometry.table().sky()), 1);
       });
       by.divide_by(static_cast<double>(options_.rays) / share);
       add_contacts(geometry, from, by);
@@ -121,7 +121,7 @@ class Rays3 final : public ElementMethod3 {
     return points;
   }
 
-  std::uint32_t label_met(const Blockers3& blockers, const EmbreeScene3& scene, const SideElements3& sides,
+  std::uint32_t label_met(const Occluders3& occluders, const EmbreeScene3& scene, const SideElements3& sides,
                           const std::vector<Start>& starts, const RaySamples::Point& place,
                           const RaySamples::Point& direction, std::uint32_t sky) const {
     const auto start =
@@ -140,7 +140,7 @@ class Rays3 final : public ElementMethod3 {
     const Vector3d way = cosine * start->patch->normal + sine * std::cos(turn) * u + sine * std::sin(turn) * v;
     const auto hit = scene.first_hit(from, way, start->patch->piece);
     if (!hit) return sky;
-    const BoundedVector& rounded_front = blockers.normal(hit->piece);
+    const BoundedVector& rounded_front = occluders.normal(hit->piece);
     const Vector3d front{rounded_front.x, rounded_front.y, rounded_front.z};
     const bool is_back = dot(front, way) > 0;
     const Vector3d outward = (is_back ? -1 : 1) / length(front) * front;

@@ -61,13 +61,13 @@ int side_of_line(const Point& p, const Point& q, const Point& a, const Point& b)
 
 }  // namespace
 
-SegmentVisibility3::SegmentVisibility3(const Blockers3& blockers) : blockers_(blockers) {
-  const Vertices3& vertices = blockers.vertices();
+SegmentVisibility3::SegmentVisibility3(const Occluders3& occluders) : occluders_(occluders) {
+  const Vertices3& vertices = occluders.vertices();
   for (const VertexId3 v : IdRange<VertexId3>(vertices.size())) {
     const BoundedVector& place = vertices.approximate(v);
     corners_.push_back({place.x, place.y, place.z});
   }
-  const auto& nodes = blockers.nodes();
+  const auto& nodes = occluders.nodes();
   boxes_.resize(nodes.size());
   constexpr double kFar = std::numeric_limits<double>::infinity();
   for (std::size_t n = nodes.size(); n-- > 0;) {
@@ -83,7 +83,7 @@ SegmentVisibility3::SegmentVisibility3(const Blockers3& blockers) : blockers_(bl
       continue;
     }
     for (std::uint32_t k = nodes[n].begin; k < nodes[n].end; ++k)
-      for (const VertexId3 v : blockers.outline(blockers.order()[k])) {
+      for (const VertexId3 v : occluders.outline(occluders.order()[k])) {
         const Point& p = corners_[v.index()];
         add({p.x, p.y, p.z}, {p.x, p.y, p.z});
       }
@@ -126,14 +126,14 @@ bool SegmentVisibility3::is_free(const Point& p, const Point& q, std::uint32_t o
   while (count > 0) {
     const std::uint32_t n = waiting[--count];
     if (!meets(boxes_[n])) continue;
-    const Blockers3::Node& node = blockers_.nodes()[n];
+    const Occluders3::Node& node = occluders_.nodes()[n];
     if (node.left != 0) {
       waiting[count++] = node.left;
       waiting[count++] = node.right;
       continue;
     }
     for (std::uint32_t k = node.begin; k < node.end; ++k) {
-      const std::uint32_t surface = blockers_.order()[k];
+      const std::uint32_t surface = occluders_.order()[k];
       if (surface != own && surface != other && hides(surface, p, q)) return false;
     }
   }
@@ -141,7 +141,7 @@ bool SegmentVisibility3::is_free(const Point& p, const Point& q, std::uint32_t o
 }
 
 bool SegmentVisibility3::hides(std::uint32_t surface, const Point& p, const Point& q) const {
-  const auto outline = blockers_.outline(surface);
+  const auto outline = occluders_.outline(surface);
   const auto corner = [&](std::size_t k) -> const Point& { return corners_[outline[k].index()]; };
   const int before = side_of_plane(corner(0), corner(1), corner(2), p);
   if (before == 0 || before == side_of_plane(corner(0), corner(1), corner(2), q)) return false;

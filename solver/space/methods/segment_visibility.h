@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/space/arrangement/blockers.h"
+#include "geometry/space/arrangement/occluders.h"
 #include "geometry/space/vectors/local_vector.h"
 
 namespace hottel {
@@ -13,7 +13,7 @@ namespace hottel {
 // A point on a polygon, in the doubles of Vertices3 (integer form times 2^-shift).
 struct SurfacePoint3 {
   LocalVector3<double> at;
-  std::uint32_t surface;  // of Blockers3: it hides nothing from its own point
+  std::uint32_t surface;  // of Occluders3: it hides nothing from its own point
 };
 
 // Which points of a scene see each other.
@@ -27,8 +27,8 @@ struct SurfacePoint3 {
 // For several threads at once. COST: some hundred ns a segment where boxes of polygons do not overlap much.
 class SegmentVisibility3 {
  public:
-  // REQUIRES: the blockers outlive this. COST: linear.
-  explicit SegmentVisibility3(const Blockers3& blockers);
+  // REQUIRES: the occluders outlive this. COST: linear.
+  explicit SegmentVisibility3(const Occluders3& occluders);
 
   bool see_each_other(const SurfacePoint3& p, const SurfacePoint3& q) const;
   // Whether nothing is met in a direction of length 1.
@@ -45,7 +45,7 @@ class SegmentVisibility3 {
                std::uint32_t other) const;
   bool hides(std::uint32_t surface, const LocalVector3<double>& p, const LocalVector3<double>& q) const;
 
-  const Blockers3& blockers_;
+  const Occluders3& occluders_;
   std::vector<LocalVector3<double>> corners_;  // by vertex
   std::vector<Box> boxes_;                     // by node
   double diagonal_ = 0;

@@ -20,11 +20,11 @@ struct SidePart3 {
 // owner too, and never met.
 class SideElements3 {
  public:
-  SideElements3(const PreparedScene3& prepared, const ElementTable3& table) : sides_(2 * prepared.blockers().size()) {
+  SideElements3(const PreparedScene3& prepared, const ElementTable3& table) : sides_(2 * prepared.occluders().size()) {
     for (const ElementTable3::Part& part : table.parts())
       if (!part.patch.is_sky())
         sides_[Face{part.patch.surface, part.is_back}.number()].push_back(
-            {part.label, rounded_corners(prepared.blockers().vertices(), part.patch)});
+            {part.label, rounded_corners(prepared.occluders().vertices(), part.patch)});
   }
 
   // side: of a piece. Empty where a solid covers all of it.

@@ -14,8 +14,8 @@
 #include "geometry/unmeasured_pairs.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
-#include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
+#include "kernel/support/with_file_context.h"
 #include "solver/dividing/dividing_estimate.h"
 #include "solver/methods/negative_factors.h"
 #include "solver/radiosity/radiosity_sources.h"
@@ -26,7 +26,7 @@
 #include "solver/space/light/tested_shares.h"
 #include "solver/space/scene_memory.h"
 #include "solver/space/scene_plan.h"
-#include "solver/space/simulation/kept_factors.h"
+#include "solver/space/simulation/cached_factors.h"
 
 namespace hottel {
 namespace {
@@ -84,9 +84,9 @@ ComputedFactors3 make_factors(const PreparedScene3& prepared, const FactorsReque
                               .memory = memory_allowed(request.memory)};
   if (request.method) {
     const auto compute = [&] { return factors_by(*request.method, prepared, request, progress); };
-    return request.store ? kept_factors_3(*request.store, *request.method, prepared, asked, compute) : compute();
+    return request.store ? cached_factors_3(*request.store, *request.method, prepared, asked, compute) : compute();
   }
-  return naming_file_of_pairs(prepared.scene.file, [&] {
+  return with_file_context_of_pairs(prepared.scene.file, [&] {
     ComputedFactors3 result;
     const std::function<void(double)> told = telling("view factors", progress);
     ExchangeRows3 rows(prepared, asked);
@@ -296,8 +296,8 @@ struct Simulation3::Version {
         "hidden pairs", [ready = prepared, made = factors, asked = request.factors](const StageProgress& progress) {
           const auto there = ready->get(progress);
           const auto computed = made->get(progress);
-          return naming_file(there->scene.file,
-                             [&] { return hidden_pairs(*there, asked.granularity, computed->matrix); });
+          return with_file_context(there->scene.file,
+                                   [&] { return hidden_pairs(*there, asked.granularity, computed->matrix); });
         });
   }
 
@@ -316,7 +316,7 @@ struct Simulation3::Version {
           const auto there = ready->get(progress);
           const auto computed = made->get(progress);
           const auto lights = of_lights->get(progress);
-          return naming_file(there->scene.file, [&] {
+          return with_file_context(there->scene.file, [&] {
             return estimate_dividing({.prepared = *there,
                                       .solved = {there->scene, computed->matrix, *solution, *lights},
                                       .granularity = asked.granularity,
@@ -337,7 +337,7 @@ struct Simulation3::Version {
             const auto solution = solved->get(progress);
             const auto there = ready->get(progress);
             const auto told = telling("illumination", progress);
-            return naming_file_of_pairs(there->scene.file, [&] {
+            return with_file_context_of_pairs(there->scene.file, [&] {
               return is_average ? average_irradiance(*there, *solution, where, request_of_cells(asked, told))
                                 : illuminate_points(*there, asked.granularity, *solution, where, told);
             });
@@ -364,7 +364,7 @@ struct Simulation3::Version {
             if (its->closed) hottel::require_closed(*ready->get(progress));
             require_not_negative(computed->matrix, its->file, method->info().name);
           }
-          return naming_file(its->file, [&] {
+          return with_file_context(its->file, [&] {
             return RadiositySolver(std::shared_ptr<const ExchangeMatrix>(computed, &computed->matrix),
                                    reflectivities_of(its->materials),
                                    {.solver = asked.solver,

@@ -23,7 +23,8 @@ std::vector<SpacePoint> vertices_of(const std::vector<SpacePolygon>& polygons) {
 }
 
 // The normals of the planes of a map, from what defines them.
-std::vector<SpacePoint> normals_of(const std::vector<SpacePolygon>& polygons, const Look3& look, const PointMap3& map) {
+std::vector<SpacePoint> normals_of(const std::vector<SpacePolygon>& polygons, const Look3& look,
+                                   const VisibilityMap3& map) {
   const SpacePoint eye = to_space(look.eye);
   const std::vector<SpacePoint> vertices = vertices_of(polygons);
   // The normal of a polygon towards the eye, and how far the eye is in front.
@@ -54,7 +55,7 @@ std::vector<SpacePoint> normals_of(const std::vector<SpacePolygon>& polygons, co
 
 class Darts {
  public:
-  Darts(const PointMap3& map, std::uint64_t seed) : map_(map), engine_(seed) {}
+  Darts(const VisibilityMap3& map, std::uint64_t seed) : map_(map), engine_(seed) {}
 
   SpacePoint throw_one() {
     SpacePoint d{number(), number(), number()};
@@ -68,7 +69,7 @@ class Darts {
 
  private:
   mpq_class number() { return static_cast<long>(engine_() % 2000001) - 1000000; }
-  const PointMap3& map_;
+  const VisibilityMap3& map_;
   std::mt19937_64 engine_;
 };
 
@@ -83,7 +84,7 @@ std::vector<Polygon3> engine_polygons(const std::vector<SpacePolygon>& polygons)
   return result;
 }
 
-std::string dart_disagreement(const std::vector<SpacePolygon>& polygons, const Look3& look, const PointMap3& map,
+std::string dart_disagreement(const std::vector<SpacePolygon>& polygons, const Look3& look, const VisibilityMap3& map,
                               std::uint64_t seed, int count, DartCounts& counts) {
   const SpacePoint eye = to_space(look.eye);
   const std::vector<SpacePoint> normals = normals_of(polygons, look, map);
@@ -101,7 +102,7 @@ std::string dart_disagreement(const std::vector<SpacePolygon>& polygons, const L
     for (const SpacePoint& normal : normals) signs.push_back(sgn(dot(normal, d)));
     std::vector<Face> faces;
     bool is_on_edge = !met.is_plain;
-    for (const PointMap3::Fragment& fragment : map.fragments) {
+    for (const VisibilityMap3::Fragment& fragment : map.fragments) {
       int least = 1;
       for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) {
         const PlaneSide3 side = map.corners[c].side;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/space/visibility/point_map.h"
+#include "geometry/space/visibility/visibility_map.h"
 #include "tests/oracle/space/space_polygon.h"
 
 namespace hottel::oracle {
@@ -22,7 +22,7 @@ struct DartCounts {
 // returns what is wrong first, or an empty text: each dart must be strictly inside exactly one fragment, of the polygon
 // that the brute force meets first, on the right side of it; inside none where it meets nothing, or where the dart is
 // below the horizon. Everything is decided in rationals, from the polygons and the definitions of the planes alone.
-std::string dart_disagreement(const std::vector<SpacePolygon>& polygons, const Look3& look, const PointMap3& map,
+std::string dart_disagreement(const std::vector<SpacePolygon>& polygons, const Look3& look, const VisibilityMap3& map,
                               std::uint64_t seed, int count, DartCounts& counts);
 
 }  // namespace hottel::oracle

@@ -9,13 +9,13 @@
 namespace hottel::oracle {
 
 PairScene3::PairScene3(const std::vector<SpacePolygon>& polygons)
-    : blockers_(engine_polygons(polygons)), measurer_(blockers_) {
-  const double length = to_double(scaled_by_power_of_two(blockers_.vertices().scale(), blockers_.vertices().shift()));
+    : occluders_(engine_polygons(polygons)), measurer_(occluders_) {
+  const double length = to_double(scaled_by_power_of_two(occluders_.vertices().scale(), occluders_.vertices().shift()));
   unit_ = length * length;
 }
 
 Patch3 PairScene3::patch(std::size_t s, bool is_back) const {
-  Patch3 patch = whole_patch(blockers_, static_cast<std::uint32_t>(s));
+  Patch3 patch = whole_patch(occluders_, static_cast<std::uint32_t>(s));
   if (is_back) std::reverse(patch.corners.begin(), patch.corners.end());
   return patch;
 }
@@ -37,9 +37,9 @@ std::vector<Patch3> PairScene3::quarters(std::size_t s) const {
 }
 
 std::vector<Patch3> PairScene3::sky(long margin) const {
-  IntegerVector low = blockers_.vertices().exact(VertexId3(0)), high = low;
-  for (std::size_t k = 0; k < blockers_.vertices().size(); ++k) {
-    const IntegerVector& p = blockers_.vertices().exact(VertexId3(k));
+  IntegerVector low = occluders_.vertices().exact(VertexId3(0)), high = low;
+  for (std::size_t k = 0; k < occluders_.vertices().size(); ++k) {
+    const IntegerVector& p = occluders_.vertices().exact(VertexId3(k));
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
@@ -57,8 +57,8 @@ std::vector<Patch3> PairScene3::sky(long margin) const {
   return result;
 }
 
-PairMeasure3 PairScene3::measure(const Patch3& i, const Patch3& j, const PairRequest3& request) const {
-  PairMeasure3 result = measurer_.measure(i, j, request);
+PairResult3 PairScene3::measure(const Patch3& i, const Patch3& j, const PairRequest3& request) const {
+  PairResult3 result = measurer_.measure(i, j, request);
   result.measure *= unit_;
   result.error *= unit_;
   result.bounds = {result.bounds.lower * unit_, result.bounds.upper * unit_};
@@ -66,11 +66,11 @@ PairMeasure3 PairScene3::measure(const Patch3& i, const Patch3& j, const PairReq
 }
 
 double PairScene3::unobstructed(const Patch3& i, const Patch3& j) const {
-  return unit_ * unobstructed_measure(blockers_.vertices(), i, j, 1e-13).measure;
+  return unit_ * unobstructed_measure(occluders_.vertices(), i, j, 1e-13).measure;
 }
 
 double PairScene3::area(const Patch3& i) const {
-  const Enclosure area = patch_area(blockers_.vertices(), i);
+  const Enclosure area = patch_area(occluders_.vertices(), i);
   return unit_ * (area.lower + area.upper) / 2;
 }
 

@@ -4,18 +4,18 @@
 #include <cstddef>
 #include <vector>
 
-#include "geometry/space/pairs/pair_measure.h"
+#include "geometry/space/pairs/pair_integrator.h"
 #include "tests/oracle/space/space_polygon.h"
 
 namespace hottel::oracle {
 
-// The polygons of a scene as blockers, and patches among them.
+// The polygons of a scene as occluders, and patches among them.
 class PairScene3 {
  public:
   explicit PairScene3(const std::vector<SpacePolygon>& polygons);
 
-  std::size_t size() const { return blockers_.size(); }
-  const Blockers3& blockers() const { return blockers_; }
+  std::size_t size() const { return occluders_.size(); }
+  const Occluders3& occluders() const { return occluders_; }
 
   // The front of polygon s, or its back.
   Patch3 patch(std::size_t s, bool is_back = false) const;
@@ -25,16 +25,16 @@ class PairScene3 {
   std::vector<Patch3> sky(long margin) const;
 
   // Measures and areas in scene units.
-  PairMeasure3 measure(const Patch3& i, const Patch3& j, const PairRequest3& request = {}) const;
+  PairResult3 measure(const Patch3& i, const Patch3& j, const PairRequest3& request = {}) const;
   double unobstructed(const Patch3& i, const Patch3& j) const;
   double area(const Patch3& i) const;
-  const PairMeasurer3& measurer() const { return measurer_; }
+  const PairIntegrator3& measurer() const { return measurer_; }
   // One of the squares of doubles of Vertices3, in scene units.
   double unit() const { return unit_; }
 
  private:
-  Blockers3 blockers_;
-  PairMeasurer3 measurer_;
+  Occluders3 occluders_;
+  PairIntegrator3 measurer_;
   double unit_;
 };
 

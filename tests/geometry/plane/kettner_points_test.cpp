@@ -1,5 +1,5 @@
 // Point sets on which plain doubles get orientations wrong: Kettner, Mehlhorn, Pion, Schirra, Yap, Classroom examples
-// of robustness problems in geometric computations (2008). scenes/degenerate/kettner_*.json has blockers that end in
+// of robustness problems in geometric computations (2008). scenes/degenerate/kettner_*.json has occluders that end in
 // them.
 #include <gtest/gtest.h>
 

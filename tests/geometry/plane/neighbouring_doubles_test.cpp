@@ -23,18 +23,18 @@ Line line(const std::string& name, const Double2& a, const Double2& b) {
   return {name, typed(a.x), typed(a.y), typed(b.x), typed(b.y), 1, 1};
 }
 
-// Seen from p, the target begins in r, behind the tip q of a blocker that hides all that is right of it.
+// Seen from p, the target begins in r, behind the tip q of an occluder that hides all that is right of it.
 //
 //                         r   target
 //                        . ────────
 //               q      .
 //              . ╲   .        p, q, r next to one line
 //            .    ╲
-//       p  .       ╲ blocker
+//       p  .       ╲ occluder
 TEST(NeighbouringDoublesOfVisibility, TheTargetIsSeenIffItBeginsLeftOfTheTip) {
   for (const Grid& grid : kettner_grids()) {
     const Scene2 scene =
-        scene_of({line("blocker", grid.q, {2 * grid.q.x, 0}), line("target", grid.r, {2 * grid.r.x, grid.r.y - 1})});
+        scene_of({line("occluder", grid.q, {2 * grid.q.x, 0}), line("target", grid.r, {2 * grid.r.x, grid.r.y - 1})});
     const PreparedScene2 prepared = prepare(scene);
     const Arrangement2& arrangement = prepared.arrangement;
     const Vertices2& vertices = arrangement.vertices();
@@ -57,8 +57,8 @@ TEST(NeighbouringDoublesOfVisibility, TheTargetIsSeenIffItBeginsLeftOfTheTip) {
   }
 }
 
-// From p on one wall to r on another, past the tip q of a blocker that stands below: seen iff the tip is not above the
-// line. Between the walls nothing else stands.
+// From p on one wall to r on another, past the tip q of an occluder that stands below: seen iff the tip is not above
+// the line. Between the walls nothing else stands.
 //
 //   │            . │ r
 //   │      q  .    │
@@ -71,7 +71,7 @@ TEST(NeighbouringDoublesOfVisibility, PointsOfTwoWallsSeeEachOtherIffTheTipIsNot
     for (int i = 0; i < kSide; ++i) {
       const double x = grid.at(i, 0).x;
       const PreparedScene2 prepared =
-          prepare(scene_of({line("p", {x, 0}, {x, 1}), line("blocker", grid.q, {2 * grid.q.x, -1}),
+          prepare(scene_of({line("p", {x, 0}, {x, 1}), line("occluder", grid.q, {2 * grid.q.x, -1}),
                             line("r", {grid.r.x, 2 * grid.r.y}, {grid.r.x, 0})}));
       const ElementTable2& table = *prepared.elements(Granularity::kFace);
       const Segment2 from = table.runs(0).front(), to = table.runs(4).front();

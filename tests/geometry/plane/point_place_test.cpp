@@ -6,7 +6,7 @@
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/scene/scene_builder.h"
 #include "geometry/plane/visibility/critical_points.h"
-#include "geometry/plane/visibility/point_sight.h"
+#include "geometry/plane/visibility/point_view.h"
 #include "kernel/support/failure.h"
 
 namespace hottel::point_place_test {
@@ -59,7 +59,7 @@ TEST(PlaceOf2, AgreesWithWhatThePointSees) {
     for (int j = -1; j <= 10; ++j) {
       const Point2 point{Rational(i) / 2, Rational(j) / 2};
       const PointPlace2 place = place_of(prepared, point);
-      const PointSight2 sight = point_sight(prepared, point);
+      const PointView2 sight = point_view(prepared, point);
       EXPECT_EQ(place.solid.has_value(), sight.polygon.solid != Solids2::kNone) << i << " " << j;
       bool sees_sky = false;
       for (const SeenFrom2& seen : sight.faces) sees_sky |= seen.name == "sky";

@@ -27,7 +27,7 @@ std::vector<Polygon3> cube_with_square(std::size_t turned) {
 
 TEST(ClosedHull3, WhicheverSideOfTheWallsIsInside) {
   for (const std::size_t turned : {0, 1, 4, 6}) {
-    const ClosedHull3 hull{Blockers3(cube_with_square(turned))};
+    const ClosedHull3 hull{Occluders3(cube_with_square(turned))};
     ASSERT_TRUE(hull.is_closed());
     for (std::uint32_t s = 0; s < 6; ++s) {
       EXPECT_EQ(hull.sees_no_sky(s, s < turned), true);
@@ -43,23 +43,23 @@ TEST(ClosedHull3, NotWhereAPartOfAWallIsMissing) {
   for (std::size_t missing = 0; missing < 6; ++missing) {
     std::vector<Polygon3> polygons = whole;
     polygons.erase(polygons.begin() + static_cast<std::ptrdiff_t>(missing));
-    const ClosedHull3 hull{Blockers3(polygons)};
+    const ClosedHull3 hull{Occluders3(polygons)};
     EXPECT_FALSE(hull.is_closed());
     for (std::uint32_t s = 0; s < polygons.size(); ++s) EXPECT_FALSE(hull.sees_no_sky(s, false));
   }
   std::vector<Polygon3> slit = whole;
   slit[5].points[1] = {2, Rational(1) / 1000000007, 2};
-  EXPECT_FALSE(ClosedHull3{Blockers3(slit)}.is_closed());
+  EXPECT_FALSE(ClosedHull3{Occluders3(slit)}.is_closed());
 }
 
 TEST(ClosedHull3, WallsMayBeDividedAnyhow) {
   std::vector<Polygon3> polygons = cube_with_square(0);
   polygons[0].points = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}};
-  EXPECT_FALSE(ClosedHull3{Blockers3(polygons)}.is_closed());
+  EXPECT_FALSE(ClosedHull3{Occluders3(polygons)}.is_closed());
   polygons.push_back({{{0, 1, 0}, {Rational(2) / 3, 1, 0}, {Rational(2) / 3, 2, 0}, {0, 2, 0}}});
-  EXPECT_FALSE(ClosedHull3{Blockers3(polygons)}.is_closed());
+  EXPECT_FALSE(ClosedHull3{Occluders3(polygons)}.is_closed());
   polygons.push_back({{{Rational(2) / 3, 1, 0}, {2, 1, 0}, {2, 2, 0}, {Rational(2) / 3, 2, 0}}});
-  const ClosedHull3 hull{Blockers3(polygons)};
+  const ClosedHull3 hull{Occluders3(polygons)};
   EXPECT_TRUE(hull.is_closed());
   for (const std::uint32_t s : {0u, 7u, 8u}) {
     EXPECT_TRUE(hull.sees_no_sky(s, false));
@@ -68,7 +68,7 @@ TEST(ClosedHull3, WallsMayBeDividedAnyhow) {
 }
 
 TEST(ClosedHull3, NotOfASceneInOnePlane) {
-  const ClosedHull3 hull{Blockers3({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}}})};
+  const ClosedHull3 hull{Occluders3({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}}})};
   EXPECT_FALSE(hull.is_closed());
   EXPECT_FALSE(hull.sees_no_sky(0, false));
 }
@@ -85,7 +85,7 @@ TEST(ClosedHull3, TheSkyIsNotMeasuredWhereItSaysSo) {
     scene.add(std::move(surface), Polygon3(polygon));
   }
   const PreparedScene3 prepared = prepare(std::move(scene));
-  const ClosedHull3 hull(prepared.blockers());
+  const ClosedHull3 hull(prepared.occluders());
   const ElementTable3& table = *prepared.elements(Granularity::kElement);
   int measured = 0;
   for (const ElementTable3::Part& part : table.parts()) {

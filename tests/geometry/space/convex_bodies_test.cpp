@@ -30,12 +30,12 @@ std::vector<Points> box_without(std::initializer_list<std::size_t> faces) {
 
 class Bodies {
  public:
-  explicit Bodies(const std::vector<Points>& polygons) : blockers_(polygons_of(polygons)), bodies_(blockers_) {}
+  explicit Bodies(const std::vector<Points>& polygons) : occluders_(polygons_of(polygons)), bodies_(occluders_) {}
   const std::vector<ConvexBody3>& all() const { return bodies_.bodies(); }
   const ConvexBodies3& bodies() const { return bodies_; }
   // On which side of a plane of a body a point of the scene is: +1 outward.
   int side(const BodyPlane3& plane, const Point3& p) const {
-    const Vertices3& vertices = blockers_.vertices();
+    const Vertices3& vertices = occluders_.vertices();
     const IntegerVector& at = vertices.exact(plane.at);
     const Point3 from{vertices.origin().x + vertices.scale() * at.x, vertices.origin().y + vertices.scale() * at.y,
                       vertices.origin().z + vertices.scale() * at.z};
@@ -43,7 +43,7 @@ class Bodies {
   }
 
  private:
-  Blockers3 blockers_;
+  Occluders3 occluders_;
   ConvexBodies3 bodies_;
 };
 

@@ -56,10 +56,10 @@ double fraction_of(const Scene3& scene, const std::string& name) {
   const PreparedScene3 prepared = prepare(scene);
   Look3 look;
   look.eye = scene.camera.value().eye;
-  const PointMap3 map = with_owners(map_from(prepared.blockers(), look), prepared.arrangement());
+  const VisibilityMap3 map = with_owners(map_from(prepared.occluders(), look), prepared.arrangement());
   const bool is_back = name.ends_with(":back");
   const Face face{scene.find(is_back ? name.substr(0, name.size() - 5) : name).value(), is_back};
-  for (const PointMap3::Share& share : map.shares)
+  for (const VisibilityMap3::Share& share : map.shares)
     if (share.face == face) return share.fraction;
   return 0;
 }

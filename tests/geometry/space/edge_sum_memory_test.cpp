@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/space/arrangement/surface_boxes.h"
-#include "geometry/space/between/pair_setting.h"
+#include "geometry/space/between/pair_occluders.h"
 #include "geometry/space/exchange/exchange.h"
 #include "geometry/space/generate/generators.h"
 #include "geometry/space/integrals/moment_origin.h"
@@ -64,19 +64,19 @@ class EdgeSumMemory : public testing::Test {
       for (std::uint32_t j = i + 1; j < table_.count(); ++j) {
         if (table_.parts(i).empty() || table_.parts(j).empty()) continue;
         const Patch3 &a = table_.parts(i).front().patch, &b = table_.parts(j).front().patch;
-        const PairSetting3 setting(blockers_, boxes_, a, b);
-        if (setting.sight == Sight3::kMixed) visit(setting, pair_stretches(setting, stretches_, a, b));
+        const PairOccluders3 setting(occluders_, boxes_, a, b);
+        if (setting.sight == PairVisibility3::kMixed) visit(setting, pair_stretches(setting, stretches_, a, b));
       }
   }
 
   // `digits`: 0 of doubles, 1 of long doubles, 2 of LongerReal, 3 of WideReal.
-  Sum sum_of(const PairSetting3& setting, const std::vector<PairStretch3>& stretches, int digits,
+  Sum sum_of(const PairOccluders3& setting, const std::vector<PairStretch3>& stretches, int digits,
              std::size_t most_bytes) const {
     constexpr double kNoShift[3] = {0, 0, 0};
-    const long shift = blockers_.vertices().shift();
+    const long shift = occluders_.vertices().shift();
     const MomentOrigin3 origin(setting.bodies, kNoShift, shift);
     EdgeSum3 sum(setting.bodies, origin, shift, most_bytes);
-    PairMeasure3 result;
+    PairResult3 result;
     EXPECT_TRUE(sum.add(stretches, result));
     for (int k = 0; k < digits; ++k) sum.take_more_digits();
     sum.refine(1e-9, 1e-9);
@@ -99,16 +99,16 @@ class EdgeSumMemory : public testing::Test {
   }
 
   const PreparedScene3 prepared_ = prepare(generate_3({.kind = "triangle-soup", .n = 10, .seed = 1}));
-  const Blockers3& blockers_ = prepared_.blockers();
-  const ElementTable3 table_{prepared_.scene, prepared_.arrangement(), blockers_, Granularity::kFace};
-  const SurfaceBoxes3 boxes_{blockers_};
-  const SurfaceStretches3 stretches_{blockers_, boxes_};
+  const Occluders3& occluders_ = prepared_.occluders();
+  const ElementTable3 table_{prepared_.scene, prepared_.arrangement(), occluders_, Granularity::kFace};
+  const SurfaceBoxes3 boxes_{occluders_};
+  const SurfaceStretches3 stretches_{occluders_, boxes_};
 };
 
 TEST_F(EdgeSumMemory, DecidesNoNumber) {
   constexpr std::size_t kAll = std::size_t{1} << 40;
   std::size_t pairs = 0, pieces = 0;
-  for_each_mixed([&](const PairSetting3& setting, const std::vector<PairStretch3>& stretches) {
+  for_each_mixed([&](const PairOccluders3& setting, const std::vector<PairStretch3>& stretches) {
     const int digits = ++pairs % 8 != 0 ? 0 : pairs % 24 != 0 ? 1 : pairs % 48 != 0 ? 2 : 3;
     const Sum keeps = sum_of(setting, stretches, digits, kAll), gives_up = sum_of(setting, stretches, digits, 0),
               keeps_some = sum_of(setting, stretches, digits, 100'000);
@@ -133,7 +133,7 @@ TEST_F(EdgeSumMemory, DecidesNoNumber) {
 
 TEST_F(EdgeSumMemory, MoreDigitsAddNoOther) {
   std::size_t pairs = 0;
-  for_each_mixed([&](const PairSetting3& setting, const std::vector<PairStretch3>& stretches) {
+  for_each_mixed([&](const PairOccluders3& setting, const std::vector<PairStretch3>& stretches) {
     if (++pairs % 16 != 0) return;
     const Sum most = sum_of(setting, stretches, 3, 0);
     for (const int digits : {1, 2}) {

@@ -28,14 +28,14 @@ constexpr const char* kThree = R"({"hottel": 1, "dimension": 3, "materials": {"m
 struct Table {
   Scene3 scene;
   Arrangement3 arrangement;
-  Blockers3 blockers;
+  Occluders3 occluders;
   ElementTable3 elements;
 
   explicit Table(const std::string& json, Granularity granularity = Granularity::kFace)
       : scene(parse_scene_3(json, "scene.json")),
         arrangement(scene),
-        blockers(arrangement.polygons()),
-        elements(scene, arrangement, blockers, granularity) {}
+        occluders(arrangement.polygons()),
+        elements(scene, arrangement, occluders, granularity) {}
 };
 
 std::vector<std::string> names_of(const Table& table) {
@@ -74,7 +74,7 @@ TEST(ElementTable3, CountsWhatItWillHold) {
   for (Surface& surface : many.surfaces) surface.elements = kMaxElements;
   EXPECT_EQ(element_counts(many, Granularity::kElement).all, 5'000'000'000'001u);
   const Arrangement3 arrangement(many);
-  EXPECT_THROW(ElementTable3(many, arrangement, Blockers3(many.polygons), Granularity::kElement), RequestError);
+  EXPECT_THROW(ElementTable3(many, arrangement, Occluders3(many.polygons), Granularity::kElement), RequestError);
 }
 
 TEST(ElementTable3, PatchesAreThoseOfTheirElements) {
@@ -109,7 +109,7 @@ TEST(ElementTable3, CornersGoAroundCounterClockwiseSeenFromTheFrontOfThePatch) {
     const Table table(kThree, granularity);
     for (const ElementTable3::Part& part : table.elements.parts()) {
       if (part.patch.is_sky()) continue;
-      const Integer along = dot(doubled_area_of(part.patch), table.blockers.exact_normal(part.patch.surface));
+      const Integer along = dot(doubled_area_of(part.patch), table.occluders.exact_normal(part.patch.surface));
       EXPECT_EQ(sgn(along), part.is_back ? -1 : 1);
     }
   }
@@ -138,7 +138,7 @@ TEST(ElementTable3, AreasAreCorrectlyRounded) {
 
 TEST(ElementTable3, ExtentsAreAreasInTheUnitOfTheVertices) {
   const Table faces(kThree);
-  const Vertices3& vertices = faces.blockers.vertices();
+  const Vertices3& vertices = faces.occluders.vertices();
   const Rational unit = scaled_by_power_of_two(vertices.scale(), vertices.shift());
   for (std::uint32_t i = 0; i < faces.elements.count(); ++i)
     EXPECT_NEAR(faces.elements.extent(i).value * to_double(unit * unit), faces.elements.elements()[i].area.value,
@@ -154,13 +154,13 @@ TEST(ElementTable3, TheSkyIsOnePatch) {
 
 TEST(ElementTable3, CornersAreToldInTheSceneAndCorrectlyRounded) {
   const Table table(kThree, Granularity::kElement);
-  const auto corners = element_corners(table.elements, table.blockers.vertices());
+  const auto corners = element_corners(table.elements, table.occluders.vertices());
   using Points = std::vector<std::array<double, 3>>;
   EXPECT_EQ(corners[1], (Points{{1, 0, 0}, {2, 0, 0}, {2, 0, 0.5}, {1, 0, 0.5}}));
   EXPECT_EQ(corners[5], (Points{{1, 0, 0}, {1, 0, 0.5}, {2, 0, 0.5}, {2, 0, 0}}));  // of the back
   EXPECT_EQ(corners[11], (Points{{5, 1.0 / 6, 0.5}, {5.5, 1.0 / 6, 0.5}, {5, 1.0 / 3, 1}}));
   const Table groups(kThree, Granularity::kGroup);
-  EXPECT_TRUE(element_corners(groups.elements, groups.blockers.vertices())[0].empty());
+  EXPECT_TRUE(element_corners(groups.elements, groups.occluders.vertices())[0].empty());
 }
 
 TEST(ElementTable3, AnEmptySceneHasNoElementsAndNoSky) {
@@ -176,7 +176,7 @@ bool is_before(const Table& table, const ElementTable3::Part& other, const Eleme
     const double w = patch.weight.get_d();
     return std::array<double, 3>{c.x.get_d() / w, c.y.get_d() / w, c.z.get_d() / w};
   };
-  const IntegerVector n = table.blockers.exact_normal(part.patch.surface);
+  const IntegerVector n = table.occluders.exact_normal(part.patch.surface);
   const auto o = at(part.patch, 0);
   for (std::size_t k = 0; k < other.patch.corners.size(); ++k) {
     const auto c = at(other.patch, k);
@@ -197,10 +197,10 @@ TEST(FaceEachOther, IsDecidedForEveryElement) {
     for (const ElementTable3::Part& j : table.elements.parts()) {
       if (i.patch.is_sky() || j.patch.is_sky()) continue;
       const bool expected = i.patch.surface != j.patch.surface && is_before(table, i, j) && is_before(table, j, i);
-      EXPECT_EQ(face_each_other(table.blockers, i, j), expected)
+      EXPECT_EQ(face_each_other(table.occluders, i, j), expected)
           << table.elements.elements()[i.label].name << " " << table.elements.elements()[j.label].name;
       facing += expected;
-      parted += surfaces_face_each_other(table.blockers, i, j) && !expected;
+      parted += surfaces_face_each_other(table.occluders, i, j) && !expected;
     }
   EXPECT_GT(facing, 0u);
   EXPECT_GT(parted, 0u);  // the faces do, these elements do not

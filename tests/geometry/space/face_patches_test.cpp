@@ -15,18 +15,18 @@ using ::testing::ElementsAre;
 
 struct Faces {
   Arrangement3 arrangement;
-  Blockers3 blockers;
+  Occluders3 occluders;
 
-  explicit Faces(const Scene3& scene) : arrangement(scene), blockers(arrangement.polygons()) {}
+  explicit Faces(const Scene3& scene) : arrangement(scene), occluders(arrangement.polygons()) {}
 
   FacePatches3 of(const Face& face, const std::vector<Point3>* part = nullptr) const {
-    return face_patches(arrangement, blockers, face, part);
+    return face_patches(arrangement, occluders, face, part);
   }
   // The area of each patch, positive where its front looks up; of patches parallel to the floor.
   std::vector<Rational> areas(const std::vector<SidePatch3>& patches) const {
     std::vector<Rational> result;
     for (const SidePatch3& p : patches)
-      result.push_back(doubled_area({corners_of(blockers.vertices(), p.patch), {}}).z / 2);
+      result.push_back(doubled_area({corners_of(occluders.vertices(), p.patch), {}}).z / 2);
     return result;
   }
 };
@@ -43,7 +43,7 @@ TEST(FacePatches3, OfAConvexFaceIsOnePatchToEachSide) {
   EXPECT_EQ(&back.uncovered(), &back.patches);
   EXPECT_TRUE(back.patches[0].is_back);
   // The first corner of a back is that of its front.
-  EXPECT_EQ(corners_of(faces.blockers.vertices(), back.patches[0].patch)[0], scene.polygons[0].points[0]);
+  EXPECT_EQ(corners_of(faces.occluders.vertices(), back.patches[0].patch)[0], scene.polygons[0].points[0]);
 }
 
 TEST(FacePatches3, OfAFaceThatLosesAPartAreTheRest) {
@@ -132,8 +132,8 @@ TEST(PatchOf, KeepsCornersExactly) {
   scene.polygon("a", level(0, 0, 3, 3, 0));
   const Faces faces(scene);
   const std::vector<Point3> corners{{Rational(1, 3), Rational(1, 7), 0}, {2, Rational(1, 5), 0}, {1, 2, 0}};
-  EXPECT_EQ(corners_of(faces.blockers.vertices(), patch_of(faces.blockers, 0, corners, false)), corners);
-  const auto turned_round = corners_of(faces.blockers.vertices(), patch_of(faces.blockers, 0, corners, true));
+  EXPECT_EQ(corners_of(faces.occluders.vertices(), patch_of(faces.occluders, 0, corners, false)), corners);
+  const auto turned_round = corners_of(faces.occluders.vertices(), patch_of(faces.occluders, 0, corners, true));
   EXPECT_THAT(turned_round, ElementsAre(corners[0], corners[2], corners[1]));
 }
 

@@ -10,7 +10,7 @@
 
 #include "geometry/space/arrangement/whole_patch.h"
 #include "geometry/space/pairs/pair_details.h"
-#include "geometry/space/pairs/pair_measure.h"
+#include "geometry/space/pairs/pair_integrator.h"
 #include "tests/geometry/space/box_faces.h"
 
 namespace hottel::hiders_test {
@@ -49,10 +49,10 @@ Points turned(Points points) {
 class Scene {
  public:
   explicit Scene(const std::vector<Points>& polygons)
-      : blockers_(polygons_of(polygons)), hiders_(blockers_), measurer_(blockers_) {}
+      : occluders_(polygons_of(polygons)), hiders_(occluders_), measurer_(occluders_) {}
 
   Patch3 patch(std::uint32_t surface, bool is_back = false) const {
-    Patch3 patch = whole_patch(blockers_, surface);
+    Patch3 patch = whole_patch(occluders_, surface);
     if (is_back) std::reverse(patch.corners.begin(), patch.corners.end());
     return patch;
   }
@@ -68,9 +68,9 @@ class Scene {
     PairRequest3 request;
     request.tolerance = 1e-12;
     request.effort = Effort3::kUsual;  // so that what is wrong is told soon
-    const PairMeasure3 told = measurer_.measure(i, j, request);
+    const PairResult3 told = measurer_.measure(i, j, request);
     request.asks_hiders = false;
-    const PairMeasure3 walked = measurer_.measure(i, j, request);
+    const PairResult3 walked = measurer_.measure(i, j, request);
     EXPECT_EQ(told.problem, "");
     EXPECT_EQ(told.measure == 0, walked.measure == 0);
     EXPECT_EQ(told.is_whole, walked.is_whole);
@@ -79,14 +79,14 @@ class Scene {
   }
   double measure(std::uint32_t i, std::uint32_t j) const { return measure(patch(i), patch(j)); }
 
-  const Blockers3& blockers() const { return blockers_; }
+  const Occluders3& occluders() const { return occluders_; }
   const Hiders3& hiders() const { return hiders_; }
-  const PairMeasurer3& measurer() const { return measurer_; }
+  const PairIntegrator3& measurer() const { return measurer_; }
 
  private:
-  Blockers3 blockers_;
+  Occluders3 occluders_;
   Hiders3 hiders_;
-  PairMeasurer3 measurer_;
+  PairIntegrator3 measurer_;
 };
 
 // Two walls that face each other, at x = -2 and 4, and what stands between, with numbers from 2 on.
@@ -174,7 +174,7 @@ TEST(Hiders3, WhatIsInAnOpenBoxIsSeenFromBelow) {
 TEST(Hiders3, InnerSidesOfABoxSeeEachOther) {
   for (const bool is_open : {false, true}) {
     const Scene scene(is_open ? open_box({0, 0, 0}, {2, 2, 2}) : box({0, 0, 0}, {2, 2, 2}));
-    const auto n = static_cast<std::uint32_t>(scene.blockers().size());
+    const auto n = static_cast<std::uint32_t>(scene.occluders().size());
     for (std::uint32_t i = 0; i < n; ++i)
       for (std::uint32_t j = 0; j < n; ++j) {
         if (i == j) continue;
@@ -433,24 +433,25 @@ TEST(PairRow3, HasTheBitsOfThePairAloneAndWithDetails) {
                            box({0, 0, 0}, {2, 1, 1}) + open_box({ratio(1, 3), ratio(1, 7), 1}, {1, ratio(3, 5), 2}) +
                                open_box({-1, ratio(5, 7), 0}, {ratio(1, 3), 2, ratio(4, 3)}) +
                                box({ratio(7, 3), ratio(1, 5), 0}, {3, ratio(12, 7), ratio(9, 4)})));
-  for (std::uint32_t from = 0; from < scene.blockers().size(); ++from) {
+  for (std::uint32_t from = 0; from < scene.occluders().size(); ++from) {
     const Patch3 i = scene.patch(from);
     PairRow3 row(scene.measurer(), i);
-    for (std::uint32_t s = 0; s < scene.blockers().size(); ++s)
+    for (std::uint32_t s = 0; s < scene.occluders().size(); ++s)
       for (const bool is_back : {false, true}) {
         if (s == i.surface) continue;
         const Patch3 j = scene.patch(s, is_back);
         PairDetails3 details;
-        const PairMeasure3 in_row = row.measure(j), alone = scene.measurer().measure(i, j),
-                           told = scene.measurer().measure(i, j, {}, &details);
-        for (const PairMeasure3& other : {alone, told}) {
+        const PairResult3 in_row = row.measure(j), alone = scene.measurer().measure(i, j),
+                          told = scene.measurer().measure(i, j, {}, &details);
+        for (const PairResult3& other : {alone, told}) {
           EXPECT_EQ(other.measure, in_row.measure);
           EXPECT_EQ(other.error, in_row.error);
           EXPECT_EQ(other.bounds.lower, in_row.bounds.lower);
           EXPECT_EQ(other.bounds.upper, in_row.bounds.upper);
           EXPECT_EQ(other.is_whole, in_row.is_whole);
         }
-        EXPECT_EQ(details.stretches.empty(), in_row.measure == 0 || told.sight != Sight3::kMixed || in_row.is_whole);
+        EXPECT_EQ(details.stretches.empty(),
+                  in_row.measure == 0 || told.sight != PairVisibility3::kMixed || in_row.is_whole);
       }
   }
 }
@@ -488,7 +489,7 @@ TEST(Hiders3, NumbersBeyondDoublesProveNothing) {
 
 TEST(FirstMet3, TheSurfaceOfThePatchIsNotLeftOut) {
   const Scene scene(box({0, 0, 0}, {2, 2, 2}));
-  FirstMet3 first_met(scene.hiders(), scene.patch(kTop), scene.blockers().size());
+  FirstMet3 first_met(scene.hiders(), scene.patch(kTop), scene.occluders().size());
   EXPECT_FALSE(first_met.is_never_first(kTop));
   EXPECT_TRUE(first_met.is_never_first(kBottom));
   EXPECT_TRUE(first_met.is_never_first(kBottom));

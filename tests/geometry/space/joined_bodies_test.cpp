@@ -28,11 +28,11 @@ using testing::UnorderedElementsAre;
 class Scene {
  public:
   explicit Scene(const std::vector<Points>& polygons)
-      : blockers_(polygons_of(with_patches(polygons))),
-        i_(whole_patch(blockers_, 0)),
-        j_(whole_patch(blockers_, 1)),
-        bodies_(blockers_, i_, j_) {
-    for (std::uint32_t s = 2; s < blockers_.size(); ++s) bodies_.add(blockers_, s);
+      : occluders_(polygons_of(with_patches(polygons))),
+        i_(whole_patch(occluders_, 0)),
+        j_(whole_patch(occluders_, 1)),
+        bodies_(occluders_, i_, j_) {
+    for (std::uint32_t s = 2; s < occluders_.size(); ++s) bodies_.add(occluders_, s);
   }
 
   std::vector<JoinedBodies3::Group> groups(const Point3& eye) const {
@@ -41,9 +41,9 @@ class Scene {
     return groups(eye, all);
   }
   std::vector<JoinedBodies3::Group> groups(const Point3& eye, const std::vector<std::uint32_t>& list) const {
-    const Vertices3& vertices = blockers_.vertices();
+    const Vertices3& vertices = occluders_.vertices();
     std::vector<BoundedVector> toward;
-    for (const PairBodies3::Point& p : bodies_.points) {
+    for (const PairGeometry3::Point& p : bodies_.points) {
       const auto way = [&](const Integer& place, const Rational& origin, const Rational& from) {
         return to_double(origin + vertices.scale() * place - from);
       };
@@ -67,9 +67,9 @@ class Scene {
     return all;
   }
 
-  Blockers3 blockers_;
+  Occluders3 occluders_;
   Patch3 i_, j_;
-  PairBodies3 bodies_;
+  PairGeometry3 bodies_;
 };
 
 Rational ratio(long p, long q) { return Rational(p) / q; }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/space/arrangement/whole_patch.h"
-#include "geometry/space/pairs/pair_measure.h"
+#include "geometry/space/pairs/pair_integrator.h"
 #include "tests/geometry/space/box_faces.h"
 
 namespace hottel::no_sky_test {
@@ -23,35 +23,35 @@ Rational ratio(long p, long q) { return Rational(p) / q; }
 class Scene {
  public:
   explicit Scene(const std::vector<Points>& polygons)
-      : blockers_(polygons_of(polygons)),
-        merged_(blockers_),
-        boxes_(merged_.blockers()),
-        stretches_(merged_.blockers(), boxes_),
-        no_sky_(blockers_, merged_, stretches_),
-        measurer_(blockers_) {}
+      : occluders_(polygons_of(polygons)),
+        merged_(occluders_),
+        boxes_(merged_.occluders()),
+        stretches_(merged_.occluders(), boxes_),
+        no_sky_(occluders_, merged_, stretches_),
+        measurer_(occluders_) {}
 
   bool has(std::uint32_t polygon, bool is_back) const { return no_sky_.has(merged_.surface_of(polygon), is_back); }
   // (1): where it says so, and everything is walked, S = 0. Returns how many sides it is said of.
   int check() const {
     int said = 0;
-    for (std::uint32_t s = 0; s < blockers_.size(); ++s)
+    for (std::uint32_t s = 0; s < occluders_.size(); ++s)
       for (const bool is_back : {false, true}) {
         if (!has(s, is_back)) continue;
         ++said;
-        const PairMeasure3 m = measurer_.measure(whole_patch(blockers_, s, is_back), Patch3::all_of_the_sky(),
-                                                 {.tolerance = 1e-9, .asks_hiders = false});
+        const PairResult3 m = measurer_.measure(whole_patch(occluders_, s, is_back), Patch3::all_of_the_sky(),
+                                                {.tolerance = 1e-9, .asks_hiders = false});
         EXPECT_EQ(m.bounds.upper, 0) << s << (is_back ? " back" : " front");
       }
     return said;
   }
 
  private:
-  Blockers3 blockers_;
-  MergedBlockers3 merged_;
+  Occluders3 occluders_;
+  MergedOccluders3 merged_;
   SurfaceBoxes3 boxes_;
   SurfaceStretches3 stretches_;
   NoSky3 no_sky_;
-  PairMeasurer3 measurer_;
+  PairIntegrator3 measurer_;
 };
 
 std::vector<Points> turned(std::vector<Points> polygons) {

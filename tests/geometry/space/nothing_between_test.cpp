@@ -32,8 +32,8 @@ Scene3 cube_on(const std::string& floor) {
   for (const char* wall : kFive) polygons += std::string(polygons.empty() ? "" : ", ") + wall;
   return scene_of(polygons);
 }
-bool is_room(const Scene3& scene) { return is_convex_room(scene, Blockers3(scene.polygons)); }
-bool sees_nothing(const Scene3& scene) { return faces_nothing(scene, Blockers3(scene.polygons)); }
+bool is_room(const Scene3& scene) { return is_convex_room(scene, Occluders3(scene.polygons)); }
+bool sees_nothing(const Scene3& scene) { return faces_nothing(scene, Occluders3(scene.polygons)); }
 
 TEST(IsConvexRoom3, OfACubeWithFrontsInside) {
   EXPECT_TRUE(is_room(cube_on(kFloor)));

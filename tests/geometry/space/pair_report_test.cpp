@@ -117,7 +117,7 @@ TEST(PairReport3, PiecesSumUpToTheMeasure) {
 
 TEST(PairReport3, ClosedFormsAreTheSumAlongEdgesToo) {
   const PairReport3 report = report_of(plates(""), "low", "high");
-  EXPECT_EQ(report.sight, Sight3::kClear);
+  EXPECT_EQ(report.sight, PairVisibility3::kClear);
   EXPECT_TRUE(report.is_whole);
   EXPECT_THAT(report.between, ElementsAre());
   EXPECT_NEAR(report.along_edges.value, report.exchange.value, 1e-12);
@@ -139,25 +139,25 @@ TEST(PairReport3, ClosedFormsAreTheSumAlongEdgesToo) {
 
 TEST(PairReport3, TellsHowAPairWasSettled) {
   const PairReport3 away = report_of(plates(""), "low:back", "high");
-  EXPECT_EQ(away.sight, Sight3::kHidden);
+  EXPECT_EQ(away.sight, PairVisibility3::kHidden);
   EXPECT_FALSE(away.is_facing());
   EXPECT_FALSE(away.visibility);
   EXPECT_TRUE(away.hiders.empty());
 
   const PreparedScene3 screened = plates(kScreen);
   const PairReport3 hidden = report_of(screened, "low", "high");
-  EXPECT_EQ(hidden.sight, Sight3::kHidden);
+  EXPECT_EQ(hidden.sight, PairVisibility3::kHidden);
   EXPECT_THAT(hidden.hiders, ElementsAre(*screened.scene.find("screen")));
   EXPECT_EQ(hidden.exchange.bounds, (Enclosure{0, 0}));
   EXPECT_EQ(hidden.visibility->value, 0);
   EXPECT_TRUE(hidden.stretches.empty());
 
   const PairReport3 as_one = report_of(plates(kTwoScreens), "low", "high");
-  EXPECT_EQ(as_one.sight, Sight3::kHidden);
+  EXPECT_EQ(as_one.sight, PairVisibility3::kHidden);
   EXPECT_THAT(as_one.hiders, ElementsAre(2u, 3u));
 
   const PairReport3 together = report_of(plates(kStaggeredScreens), "low", "high");
-  EXPECT_EQ(together.sight, Sight3::kMixed);
+  EXPECT_EQ(together.sight, PairVisibility3::kMixed);
   EXPECT_THAT(together.between, ElementsAre(2u, 3u));
   EXPECT_TRUE(together.hiders.empty());
   EXPECT_EQ(together.exchange.bounds, (Enclosure{0, 0}));
@@ -167,7 +167,7 @@ TEST(PairReport3, TellsHowAPairWasSettled) {
   EXPECT_TRUE(together.stretches.empty());
 
   const PairReport3 mixed = report_of(plates(kSmallScreen), "low", "high");
-  EXPECT_EQ(mixed.sight, Sight3::kMixed);
+  EXPECT_EQ(mixed.sight, PairVisibility3::kMixed);
   EXPECT_THAT(mixed.between, ElementsAre(2u));
   EXPECT_FALSE(mixed.is_whole);
   EXPECT_GT(mixed.visibility->value, 0);

@@ -18,13 +18,13 @@ using Quad = boost::multiprecision::cpp_bin_float_quad;
 
 // A scene of boxes, ready to be looked at.
 struct Stage {
-  explicit Stage(const Scene3& scene) : arrangement(scene), blockers(arrangement.polygons()) {}
+  explicit Stage(const Scene3& scene) : arrangement(scene), occluders(arrangement.polygons()) {}
   PointBounds3 bounds(const Point3& eye, const std::optional<Vector3>& normal = std::nullopt) const {
-    return point_bounds(ExactMap3(blockers, eye), arrangement, normal);
+    return point_bounds(ExactVisibilityMap3(occluders, eye), arrangement, normal);
   }
 
   Arrangement3 arrangement;
-  Blockers3 blockers;
+  Occluders3 occluders;
 };
 
 int ulps_between(const Enclosure& bounds) {
@@ -81,7 +81,7 @@ void expect_near(const Enclosure& bounds, double value, const std::string& what)
   EXPECT_GE(bounds.upper + 1e-14, value) << what;
 }
 
-void expect_of_map(const PointBounds3& bounds, const PointMap3& map, const std::string& what) {
+void expect_of_map(const PointBounds3& bounds, const VisibilityMap3& map, const std::string& what) {
   ASSERT_EQ(bounds.shares.size(), map.shares.size()) << what;
   for (std::size_t k = 0; k < map.shares.size(); ++k) {
     EXPECT_EQ(bounds.shares[k].face, map.shares[k].face) << what;
@@ -106,9 +106,9 @@ TEST(PointBounds3, AreThoseOfTheMap) {
     if (is_on_lattice) eye = {Rational(Integer(eye.x)), Rational(Integer(eye.y)), Rational(Integer(eye.z))};
     if (stage.arrangement.solids().around(eye)) continue;
     const std::string what = to_string(eye.x) + "," + to_string(eye.y) + "," + to_string(eye.z);
-    expect_of_map(stage.bounds(eye), faces_seen_from(eye, stage.blockers, stage.arrangement), what);
+    expect_of_map(stage.bounds(eye), faces_seen_from(eye, stage.occluders, stage.arrangement), what);
     const Point3 normal{any(3) - 1, any(3) - 1, Rational(1, 3)};
-    const PointMap3 half = map_from(stage.blockers, {.eye = eye, .normal = normal});
+    const VisibilityMap3 half = map_from(stage.occluders, {.eye = eye, .normal = normal});
     expect_of_map(stage.bounds(eye, normal - Point3{}), with_owners(half, stage.arrangement), what);
     ++looks;
   }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/space/arrangement/surface_boxes.h"
-#include "geometry/space/between/pair_setting.h"
+#include "geometry/space/between/pair_occluders.h"
 #include "geometry/space/exchange/exchange.h"
 #include "geometry/space/generate/generators.h"
 #include "geometry/space/integrals/edge_integral.h"
@@ -58,18 +58,18 @@ class ProvenPairs : public testing::Test {
       for (std::uint32_t j = i + 1; j < table_.count(); ++j) {
         if (table_.parts(i).empty() || table_.parts(j).empty()) continue;
         const Patch3 &a = table_.parts(i).front().patch, &b = table_.parts(j).front().patch;
-        const PairSetting3 setting(blockers_, boxes_, a, b);
-        if (setting.sight != Sight3::kMixed || count++ == most) continue;
+        const PairOccluders3 setting(occluders_, boxes_, a, b);
+        if (setting.sight != PairVisibility3::kMixed || count++ == most) continue;
         visit(setting, pair_stretches(setting, stretches_, a, b));
         if (count == most) return;
       }
   }
 
   const PreparedScene3 prepared_;
-  const Blockers3& blockers_ = prepared_.blockers();
-  const ElementTable3 table_{prepared_.scene, prepared_.arrangement(), blockers_, Granularity::kFace};
-  const SurfaceBoxes3 boxes_{blockers_};
-  const SurfaceStretches3 stretches_{blockers_, boxes_};
+  const Occluders3& occluders_ = prepared_.occluders();
+  const ElementTable3 table_{prepared_.scene, prepared_.arrangement(), occluders_, Granularity::kFace};
+  const SurfaceBoxes3 boxes_{occluders_};
+  const SurfaceStretches3 stretches_{occluders_, boxes_};
 };
 
 class ProvenRoom : public ProvenPairs {
@@ -92,7 +92,7 @@ Direction3 lambda(StretchMapper3& mapper, const PairStretch3& stretch, const Str
 
 // Close to the ends of parts, as close as can be looked, exact signs tell the same. Of a short stretch fewer surfaces
 // may matter: then other arcs bound the same.
-void expect_sure_to_the_ends(const PairSetting3& setting, const std::vector<PairStretch3>& stretches,
+void expect_sure_to_the_ends(const PairOccluders3& setting, const std::vector<PairStretch3>& stretches,
                              std::size_t& looked) {
   StretchMapper3 mapper(setting.bodies);
   std::vector<SurePart3> parts, there;
@@ -124,7 +124,7 @@ void expect_sure_to_the_ends(const PairSetting3& setting, const std::vector<Pair
 
 TEST_F(ProvenPairs, PartsAreWhatTheyAreToTheirEnds) {
   std::size_t looked = 0;
-  for_each_mixed(25, [&](const PairSetting3& setting, const std::vector<PairStretch3>& stretches) {
+  for_each_mixed(25, [&](const PairOccluders3& setting, const std::vector<PairStretch3>& stretches) {
     expect_sure_to_the_ends(setting, stretches, looked);
   });
   EXPECT_GT(looked, 1000u);
@@ -132,14 +132,14 @@ TEST_F(ProvenPairs, PartsAreWhatTheyAreToTheirEnds) {
 
 TEST_F(ProvenRoom, PartsAreWhatTheyAreToTheirEnds) {
   std::size_t looked = 0;
-  for_each_mixed(25, [&](const PairSetting3& setting, const std::vector<PairStretch3>& stretches) {
+  for_each_mixed(25, [&](const PairOccluders3& setting, const std::vector<PairStretch3>& stretches) {
     expect_sure_to_the_ends(setting, stretches, looked);
   });
   EXPECT_GT(looked, 300u);
 }
 
 // Relies on the sides of one body that points are on, and on those that the point sees of others.
-void rely_on_some(const PairBodies3& bodies, std::uint32_t body, MovingPlanes3& planes) {
+void rely_on_some(const PairGeometry3& bodies, std::uint32_t body, MovingPlanes3& planes) {
   for (std::uint32_t k = 2; k < bodies.count(); ++k) planes.facing(k);
   for (std::uint32_t side = 0; side < bodies.bodies[body].corners.size(); ++side)
     planes.rely(bodies.bodies[(body + 1) % bodies.count()].corners, planes.cone_side(body, side, 1, false));
@@ -150,7 +150,7 @@ void rely_on_some(const PairBodies3& bodies, std::uint32_t body, MovingPlanes3& 
 TEST_F(ProvenPairs, NoRootLiesWithinWhatIsProven) {
   constexpr double kWrong = 1e-12, kAt = 0.4837;
   std::size_t to_roots = 0;
-  for_each_mixed(40, [&](const PairSetting3& setting, const std::vector<PairStretch3>& stretches) {
+  for_each_mixed(40, [&](const PairOccluders3& setting, const std::vector<PairStretch3>& stretches) {
     MovingPlanes3 planes(setting.bodies);
     planes.keep_signs();
     for (const PairStretch3& stretch : stretches) {
@@ -176,7 +176,7 @@ TEST_F(ProvenPairs, NoRootLiesWithinWhatIsProven) {
 
 // Nearly all of a stretch is proven: ends are told to 2^-49 of parts.
 TEST_F(ProvenPairs, PartsLeaveLittleBetween) {
-  for_each_mixed(25, [&](const PairSetting3& setting, const std::vector<PairStretch3>& stretches) {
+  for_each_mixed(25, [&](const PairOccluders3& setting, const std::vector<PairStretch3>& stretches) {
     StretchMapper3 mapper(setting.bodies);
     std::vector<SurePart3> parts;
     for (const PairStretch3& stretch : stretches) {
@@ -210,7 +210,7 @@ void expect_within(const Ball3<double>& ball, double value) {
 
 // Calls it for parts in which something is seen.
 template <class Visit>
-void for_each_part(const PairSetting3& setting, const std::vector<PairStretch3>& stretches, const Visit& visit) {
+void for_each_part(const PairOccluders3& setting, const std::vector<PairStretch3>& stretches, const Visit& visit) {
   StretchMapper3 mapper(setting.bodies);
   std::vector<SurePart3> parts;
   for (const PairStretch3& stretch : stretches) {
@@ -226,7 +226,7 @@ TEST_F(ProvenPairs, PiecesHoldTheirIntegrals) {
   std::size_t number = 0, compared = 0;
   double widest = 0;
   ProofCounts3 counts;
-  for_each_mixed(40, [&](const PairSetting3& setting, const std::vector<PairStretch3>& stretches) {
+  for_each_mixed(40, [&](const PairOccluders3& setting, const std::vector<PairStretch3>& stretches) {
     for_each_part(setting, stretches, [&](StretchMapper3& mapper, const PairStretch3& stretch, const auto& part) {
       if (++number % 19 != 0) return;
       ++compared;
@@ -271,7 +271,7 @@ std::size_t expect_enclosed(const std::vector<oracle::SpacePolygon>& polygons, s
         const Patch3 i = scene.patch(a, is_back), j = scene.patch(b, is_back);
         if (scene.measurer().count_between(i, j) == 0) continue;
         const double area = std::min(scene.area(i), scene.area(j));
-        const PairMeasure3 found = scene.measure(i, j, proving(1e-9));
+        const PairResult3 found = scene.measure(i, j, proving(1e-9));
         if (found.bounds.upper == 0 || found.is_whole) continue;
         PairRequest3 other = proving(1e-11), fine;
         other.is_reversed = true;
@@ -280,7 +280,7 @@ std::size_t expect_enclosed(const std::vector<oracle::SpacePolygon>& polygons, s
           request->origin_shift[1] = -2;
         }
         fine.tolerance = 1e-13;
-        const PairMeasure3 reversed = scene.measure(i, j, other), measured = scene.measure(i, j, fine);
+        const PairResult3 reversed = scene.measure(i, j, other), measured = scene.measure(i, j, fine);
         ++compared;
         EXPECT_LE(found.bounds.width(), 1e-9 * area);
         EXPECT_LE(reversed.bounds.width(), 1e-11 * area);

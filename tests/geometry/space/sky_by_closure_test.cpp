@@ -179,7 +179,7 @@ class ASumThatIsOff : public testing::Test {
  protected:
   ASumThatIsOff()
       : prepared_(prepare(open_box())),
-        table_(prepared_.scene, prepared_.arrangement(), prepared_.blockers(), Granularity::kElement) {
+        table_(prepared_.scene, prepared_.arrangement(), prepared_.occluders(), Granularity::kElement) {
     sums_ = sum_of_all();
   }
   PairSums3 sum_of_all() const {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "geometry/space/arrangement/whole_patch.h"
-#include "geometry/space/pairs/pair_measure.h"
+#include "geometry/space/pairs/pair_integrator.h"
 #include "geometry/space/sky/sky_cones.h"
 #include "tests/geometry/space/box_faces.h"
 
@@ -56,51 +56,51 @@ double opposite_squares(double distance) {
 
 class Scene {
  public:
-  explicit Scene(const std::vector<Points>& polygons) : blockers_(polygons_of(polygons)), measurer_(blockers_) {
-    const Rational unit = scaled_by_power_of_two(blockers_.vertices().scale(), blockers_.vertices().shift());
+  explicit Scene(const std::vector<Points>& polygons) : occluders_(polygons_of(polygons)), measurer_(occluders_) {
+    const Rational unit = scaled_by_power_of_two(occluders_.vertices().scale(), occluders_.vertices().shift());
     square_ = to_double(unit * unit);
   }
 
-  PairMeasure3 sky(const Patch3& patch, const PairRequest3& request = {.tolerance = 1e-12}) const {
+  PairResult3 sky(const Patch3& patch, const PairRequest3& request = {.tolerance = 1e-12}) const {
     return in_scene(measurer_.measure(patch, Patch3::all_of_the_sky(), request));
   }
-  PairMeasure3 sky(std::uint32_t surface, bool is_back = false) const {
-    return sky(whole_patch(blockers_, surface, is_back));
+  PairResult3 sky(std::uint32_t surface, bool is_back = false) const {
+    return sky(whole_patch(occluders_, surface, is_back));
   }
   double factor(std::uint32_t surface, bool is_back = false) const {
-    const Patch3 patch = whole_patch(blockers_, surface, is_back);
-    const PairMeasure3 m = sky(patch);
+    const Patch3 patch = whole_patch(occluders_, surface, is_back);
+    const PairResult3 m = sky(patch);
     EXPECT_TRUE(m.problem.empty()) << m.problem;
     return m.measure / area(patch);
   }
   // One minus what goes to all others.
   double rest(std::uint32_t surface, bool is_back = false) const {
-    const Patch3 patch = whole_patch(blockers_, surface, is_back);
+    const Patch3 patch = whole_patch(occluders_, surface, is_back);
     double sum = 0;
-    for (std::uint32_t s = 0; s < blockers_.size(); ++s)
+    for (std::uint32_t s = 0; s < occluders_.size(); ++s)
       for (const bool is_other_back : {false, true})
         if (s != surface)
-          sum += in_scene(measurer_.measure(patch, whole_patch(blockers_, s, is_other_back), {.tolerance = 1e-12}))
+          sum += in_scene(measurer_.measure(patch, whole_patch(occluders_, s, is_other_back), {.tolerance = 1e-12}))
                      .measure;
     return 1 - sum / area(patch);
   }
   // Everything walked, polygon by polygon.
-  PairMeasure3 walked(const Patch3& patch) const { return sky(patch, {.tolerance = 1e-12, .asks_hiders = false}); }
+  PairResult3 walked(const Patch3& patch) const { return sky(patch, {.tolerance = 1e-12, .asks_hiders = false}); }
 
-  double area(const Patch3& patch) const { return square_ * patch_area(blockers_.vertices(), patch).lower; }
-  const Blockers3& blockers() const { return blockers_; }
-  const PairMeasurer3& measurer() const { return measurer_; }
+  double area(const Patch3& patch) const { return square_ * patch_area(occluders_.vertices(), patch).lower; }
+  const Occluders3& occluders() const { return occluders_; }
+  const PairIntegrator3& measurer() const { return measurer_; }
 
  private:
-  PairMeasure3 in_scene(PairMeasure3 m) const {
+  PairResult3 in_scene(PairResult3 m) const {
     m.measure *= square_;
     m.error *= square_;
     m.bounds = {m.bounds.lower * square_, m.bounds.upper * square_};
     return m;
   }
 
-  Blockers3 blockers_;
-  PairMeasurer3 measurer_;
+  Occluders3 occluders_;
+  PairIntegrator3 measurer_;
   double square_ = 1;
 };
 
@@ -121,8 +121,8 @@ TEST(SkyCones3, CoverTheFrontOnceEach) {
   const auto any = [&random] { return static_cast<long>(random() % 2001) - 1000; };
   for (const auto& [x, y, z] : kNormals) {
     const Scene scene(triangle_of_normal(x, y, z));
-    const IntegerVector& normal = scene.blockers().exact_normal(0);
-    const std::vector<Patch3> cones = sky_cones(whole_patch(scene.blockers(), 0));
+    const IntegerVector& normal = scene.occluders().exact_normal(0);
+    const std::vector<Patch3> cones = sky_cones(whole_patch(scene.occluders(), 0));
     for (int k = 0; k < 4000; ++k) {
       const IntegerVector way{any(), any(), any()};
       if (dot_sign(normal, way) <= 0) continue;
@@ -143,7 +143,7 @@ TEST(SkyCones3, CoverTheFrontOnceEach) {
 TEST(SkyCones3, AreConvexConesOfFewBits) {
   for (const auto& [x, y, z] : kNormals) {
     const Scene scene(triangle_of_normal(x, y, z));
-    const std::vector<Patch3> cones = sky_cones(whole_patch(scene.blockers(), 0));
+    const std::vector<Patch3> cones = sky_cones(whole_patch(scene.occluders(), 0));
     EXPECT_EQ(cones.size(), 12u);
     for (const Patch3& cone : cones) {
       EXPECT_TRUE(cone.is_far() && cone.is_sky() && !cone.is_all_of_the_sky());
@@ -160,8 +160,8 @@ TEST(SkyCones3, AreConvexConesOfFewBits) {
 TEST(SkyCones3, WhatNothingHidesAddsUpToTheArea) {
   for (const auto& [x, y, z] : kNormals) {
     const Scene scene(triangle_of_normal(x, y, z));
-    const Vertices3& vertices = scene.blockers().vertices();
-    const Patch3 patch = whole_patch(scene.blockers(), 0);
+    const Vertices3& vertices = scene.occluders().vertices();
+    const Patch3 patch = whole_patch(scene.occluders(), 0);
     const Enclosure area = patch_area(vertices, patch);
     Enclosure sum{0, 0};
     for (const Patch3& cone : sky_cones(patch))
@@ -170,9 +170,9 @@ TEST(SkyCones3, WhatNothingHidesAddsUpToTheArea) {
     EXPECT_GE(sum.upper, area.lower);
     EXPECT_NEAR(sum.upper / sum.lower, 1, 1e-12);
     EXPECT_NEAR(scene.factor(0), 1, 1e-14);
-    const PairMeasure3 m = scene.sky(0);
+    const PairResult3 m = scene.sky(0);
     EXPECT_TRUE(m.is_whole);
-    EXPECT_EQ(m.sight, Sight3::kClear);
+    EXPECT_EQ(m.sight, PairVisibility3::kClear);
   }
 }
 
@@ -223,7 +223,7 @@ TEST(TheSky, OfAGroundUnderABox) {
     const std::vector<Points> polygons = std::vector<Points>{level(0, 0, 4, 0, 5)} + open_box({x, 1, 0}, {x + 2, 3, 1});
     const Scene scene(polygons);
     EXPECT_NEAR(scene.factor(0), scene.rest(0), 1e-11) << x;
-    const Patch3 ground = whole_patch(scene.blockers(), 0);
+    const Patch3 ground = whole_patch(scene.occluders(), 0);
     EXPECT_NEAR(scene.sky(ground).measure, scene.walked(ground).measure, 1e-10) << x;
     for (std::uint32_t s = 1; s < 6; ++s) EXPECT_NEAR(scene.factor(s), scene.rest(s), 1e-11) << s;
     for (std::uint32_t s = 1; s < 6; ++s) EXPECT_NEAR(scene.factor(s, true), scene.rest(s, true), 1e-11) << s;
@@ -267,7 +267,7 @@ TEST(TheSky, ThroughSlitsDownToABillionthOfABillionth) {
   for (const int exponent : {3, 6, 9, 12, 15, 18}) {
     const Rational slit = 1 / Rational(Integer("1" + std::string(exponent, '0')));
     const Scene scene(room_with_slit(slit));
-    const PairMeasure3 m = scene.sky(0);
+    const PairResult3 m = scene.sky(0);
     EXPECT_TRUE(m.problem.empty()) << m.problem;
     EXPECT_GT(m.bounds.upper, 0) << exponent;
     EXPECT_FALSE(m.is_whole);
@@ -280,7 +280,7 @@ TEST(TheSky, OfAFaceInThePlaneOfARoof) {
   for (const long x : {2L, 3L, 9L}) {
     const std::vector<Points> house = box({0, 0, 0}, {2, 2, 1});
     const Scene scene(std::vector<Points>{level(1, x, x + 1, 0, 2)} + house);
-    const PairMeasure3 up = scene.sky(0);
+    const PairResult3 up = scene.sky(0);
     EXPECT_TRUE(up.is_whole) << x;
     EXPECT_NEAR(scene.factor(0), 1, 1e-14) << x;
     EXPECT_NEAR(scene.factor(0, true), scene.rest(0, true), 1e-11) << x;
@@ -307,7 +307,7 @@ TEST(TheSky, BesideEdgesTowardsTheZenith) {
                      mast(half, half),
                      mast(1 - thin, 1),
                      {{1, 0, -1}, {1, 1, -1}, {1, 1, 0}, {1, 0, 0}}});
-  for (std::uint32_t s = 0; s < scene.blockers().size(); ++s)
+  for (std::uint32_t s = 0; s < scene.occluders().size(); ++s)
     for (const bool is_back : {false, true}) EXPECT_NEAR(scene.factor(s, is_back), scene.rest(s, is_back), 1e-10) << s;
   EXPECT_LT(scene.factor(0), 1);
   EXPECT_NEAR(scene.factor(0), 1, 1e-8);
@@ -329,10 +329,10 @@ TEST(TheSky, IsTheSameWhereBodiesHideAsOne) {
   for (const bool are_open : {true, false}) {
     const Scene scene(blocks(are_open));
     std::uint64_t together = 0, alone = 0;
-    for (std::uint32_t s = 0; s < scene.blockers().size(); s += 3)
+    for (std::uint32_t s = 0; s < scene.occluders().size(); s += 3)
       for (const bool is_back : {false, true}) {
-        const Patch3 patch = whole_patch(scene.blockers(), s, is_back);
-        const PairMeasure3 m = scene.sky(patch), walked = scene.walked(patch);
+        const Patch3 patch = whole_patch(scene.occluders(), s, is_back);
+        const PairResult3 m = scene.sky(patch), walked = scene.walked(patch);
         EXPECT_TRUE(m.problem.empty() && walked.problem.empty());
         EXPECT_NEAR(m.measure, walked.measure, m.error + walked.error + 1e-13) << s << is_back;
         EXPECT_EQ(m.measure == 0, walked.measure == 0) << s << is_back;
@@ -351,10 +351,10 @@ TEST(TheSky, PastABodyThatIsOpenAbove) {
   const Scene scene(open + std::vector<Points>{level(ratio(1, 2), ratio(1, 2), 1, ratio(1, 2), 1),
                                                level(ratio(3, 2), 3, 4, 0, 1), level(ratio(1, 2), 3, 4, 2, 3),
                                                wall(-1, 0, 2, 0, 3)});
-  for (std::uint32_t s = 0; s < scene.blockers().size(); ++s)
+  for (std::uint32_t s = 0; s < scene.occluders().size(); ++s)
     for (const bool is_back : {false, true}) {
       EXPECT_NEAR(scene.factor(s, is_back), scene.rest(s, is_back), 1e-11) << s << is_back;
-      const Patch3 patch = whole_patch(scene.blockers(), s, is_back);
+      const Patch3 patch = whole_patch(scene.occluders(), s, is_back);
       EXPECT_NEAR(scene.sky(patch).measure, scene.walked(patch).measure, 1e-11) << s << is_back;
     }
 }
@@ -374,7 +374,7 @@ TEST(TheSky, PastABodyThatLeansUnderThePatch) {
   for (std::uint32_t s = 0; s < 6; ++s)
     for (const bool is_back : {false, true}) {
       EXPECT_NEAR(scene.factor(s, is_back), scene.rest(s, is_back), 1e-11) << s << is_back;
-      const Patch3 patch = whole_patch(scene.blockers(), s, is_back);
+      const Patch3 patch = whole_patch(scene.occluders(), s, is_back);
       EXPECT_NEAR(scene.sky(patch).measure, scene.walked(patch).measure, 1e-11) << s << is_back;
     }
 }
@@ -383,10 +383,10 @@ TEST(TheSky, PastABodyThatLeansUnderThePatch) {
 TEST(TheSky, HasTheSameBitsHoweverItIsAsked) {
   const Scene scene(blocks(true));
   for (std::uint32_t s = 0; s < 12; s += 5) {
-    const Patch3 patch = whole_patch(scene.blockers(), s);
+    const Patch3 patch = whole_patch(scene.occluders(), s);
     PairRow3 row(scene.measurer(), patch);
-    const PairMeasure3 in_row = row.measure(Patch3::all_of_the_sky()),
-                       alone = scene.measurer().measure(patch, Patch3::all_of_the_sky());
+    const PairResult3 in_row = row.measure(Patch3::all_of_the_sky()),
+                      alone = scene.measurer().measure(patch, Patch3::all_of_the_sky());
     EXPECT_EQ(in_row.measure, alone.measure);
     EXPECT_EQ(in_row.error, alone.error);
     EXPECT_EQ(in_row.bounds, alone.bounds);

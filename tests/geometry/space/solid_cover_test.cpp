@@ -29,21 +29,21 @@ Rational ratio(long p, long q) { return Rational(p) / q; }
 class Scene {
  public:
   explicit Scene(const std::vector<Points>& polygons)
-      : blockers_(polygons_of(polygons)),
-        solids_(blockers_),
-        i_(whole_patch(blockers_, 0)),
-        j_(whole_patch(blockers_, 1)),
-        bodies_(blockers_, i_, j_) {
-    for (std::uint32_t s = 2; s < blockers_.size(); ++s) bodies_.add(blockers_, s);
-    for (const ConvexBody3& body : solids_.bodies()) bodies_.add_solid(blockers_, body);
+      : occluders_(polygons_of(polygons)),
+        solids_(occluders_),
+        i_(whole_patch(occluders_, 0)),
+        j_(whole_patch(occluders_, 1)),
+        bodies_(occluders_, i_, j_) {
+    for (std::uint32_t s = 2; s < occluders_.size(); ++s) bodies_.add(occluders_, s);
+    for (const ConvexBody3& body : solids_.bodies()) bodies_.add_solid(occluders_, body);
   }
 
-  const PairBodies3& bodies() const { return bodies_; }
+  const PairGeometry3& bodies() const { return bodies_; }
   std::uint32_t solid(std::uint32_t number) const { return bodies_.count() + number; }
 
   // Between two points of the scene.
   Stretch3 stretch(const Point3& a, const Point3& b) const {
-    const Vertices3& vertices = blockers_.vertices();
+    const Vertices3& vertices = occluders_.vertices();
     const auto place = [&](const Point3& p) {
       const Rational x[] = {(p.x - vertices.origin().x) / vertices.scale(),
                             (p.y - vertices.origin().y) / vertices.scale(),
@@ -61,10 +61,10 @@ class Scene {
   }
 
  private:
-  Blockers3 blockers_;
+  Occluders3 occluders_;
   ConvexBodies3 solids_;
   Patch3 i_, j_;
-  PairBodies3 bodies_;
+  PairGeometry3 bodies_;
 };
 
 const std::vector<Points> kPatches{{{-9, -9, -9}, {-8, -9, -9}, {-9, -8, -9}},

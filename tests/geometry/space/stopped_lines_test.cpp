@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/space/arrangement/whole_patch.h"
-#include "geometry/space/pairs/pair_measure.h"
+#include "geometry/space/pairs/pair_integrator.h"
 #include "tests/geometry/space/box_faces.h"
 
 namespace hottel::stopped_lines_test {
@@ -48,14 +48,14 @@ bool stops_lines(const Points& i, const Points& j, const Points& body) {
 }
 
 struct Scene {
-  Blockers3 blockers;
+  Occluders3 occluders;
   Patch3 i, j;
   explicit Scene(const std::vector<Points>& polygons)
-      : blockers(polygons_of(polygons)), i(whole_patch(blockers, 0)), j(whole_patch(blockers, 1)) {}
+      : occluders(polygons_of(polygons)), i(whole_patch(occluders, 0)), j(whole_patch(occluders, 1)) {}
 
   bool stops() const {
-    PairBodies3 bodies(blockers, i, j);
-    return stops_lines_of_corners(bodies, bodies.add(blockers, 2));
+    PairGeometry3 bodies(occluders, i, j);
+    return stops_lines_of_corners(bodies, bodies.add(occluders, 2));
   }
 };
 
@@ -95,7 +95,7 @@ TEST(StopsLinesOfCorners, AreThoseThatRationalPointsTellAndThenSomethingIsHidden
     ASSERT_EQ(scene.stops(), stops_lines(all[0], all[1], all[2])) << round;
     if (!scene.stops()) continue;
     ++stopped;
-    EXPECT_FALSE(PairMeasurer3(scene.blockers).measure(scene.i, scene.j).is_whole) << round;
+    EXPECT_FALSE(PairIntegrator3(scene.occluders).measure(scene.i, scene.j).is_whole) << round;
   }
   EXPECT_GT(stopped, 20);
 }

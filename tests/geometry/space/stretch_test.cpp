@@ -71,11 +71,11 @@ TEST(AtomicStretches3, SurfacesOfOnePlaneThatContinueEachOtherLeaveNothing) {
 }
 
 struct Scene {
-  Blockers3 blockers;
+  Occluders3 occluders;
   SurfaceBoxes3 boxes;
   SurfaceStretches3 stretches;
   explicit Scene(const std::vector<Polygon3>& polygons)
-      : blockers(polygons), boxes(blockers), stretches(blockers, boxes) {}
+      : occluders(polygons), boxes(occluders), stretches(occluders, boxes) {}
 };
 
 Polygon3 triangle(const Point3& a, const Point3& b, const Point3& c) { return {{a, b, c}}; }

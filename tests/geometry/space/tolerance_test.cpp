@@ -289,7 +289,7 @@ TEST(PairShares3, OfAllPatchesTogetherAreTheTolerance) {
   const PreparedScene3 prepared = prepare(two_boxes_along_a_wall(tenth_to(6)));
   for (const Granularity granularity : {Granularity::kFace, Granularity::kGroup}) {
     const ElementTable3& table = *prepared.elements(granularity);
-    const PairShares3 shares(table, prepared.blockers().vertices(), 1e-9);
+    const PairShares3 shares(table, prepared.occluders().vertices(), 1e-9);
     std::map<std::pair<std::uint32_t, std::uint32_t>, double> sums;
     for (const ElementTable3::Part& a : table.parts())
       for (const ElementTable3::Part& b : table.parts())

@@ -26,8 +26,8 @@ StoreTable table_of(const std::string& key, const std::vector<std::string>& elem
   return {key, "scene by method", elements};
 }
 
-KeptRow some_row(std::uint32_t row, std::uint32_t elements, std::mt19937_64& random) {
-  KeptRow kept{.row = row, .known = {{row, elements + 1}}, .to = {}, .numbers = {}};
+CachedRow some_row(std::uint32_t row, std::uint32_t elements, std::mt19937_64& random) {
+  CachedRow kept{.row = row, .known = {{row, elements + 1}}, .to = {}, .numbers = {}};
   for (std::uint32_t j = row; j <= elements; ++j)
     if (random() % 2 == 0) {
       kept.to.push_back(j);
@@ -36,9 +36,9 @@ KeptRow some_row(std::uint32_t row, std::uint32_t elements, std::mt19937_64& ran
   return kept;
 }
 
-std::vector<KeptRow> some_rows(std::uint32_t elements, std::uint64_t seed) {
+std::vector<CachedRow> some_rows(std::uint32_t elements, std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  std::vector<KeptRow> rows;
+  std::vector<CachedRow> rows;
   for (std::uint32_t i = 0; i < elements; ++i) rows.push_back(some_row(i, elements, random));
   return rows;
 }
@@ -54,7 +54,7 @@ TEST(StoredRecord, IsTheRow) {
   std::mt19937_64 random(2);
   for (int k = 0; k < 1000; ++k) {
     const auto n = static_cast<std::uint32_t>(1 + random() % 1000);
-    const KeptRow row = some_row(static_cast<std::uint32_t>(random() % n), n, random);
+    const CachedRow row = some_row(static_cast<std::uint32_t>(random() % n), n, random);
     EXPECT_EQ(row_of(row.row, record_of(row), n), row);
   }
 }
@@ -73,7 +73,7 @@ TEST(StoredRecord, OfAnyBytesIsARowOfTheElementsOrNone) {
 
 TEST(FactorStore, ReturnsWhatWasKept) {
   const TemporaryFolder folder;
-  const std::vector<KeptRow> rows = some_rows(5, 1);
+  const std::vector<CachedRow> rows = some_rows(5, 1);
   open_factor_store(folder / "s")->keep(table_of("key", kElements), 1, rows);
   const auto store = open_factor_store(folder / "s");
   const auto kept = store->read(table_of("key", kElements), 1);
@@ -92,7 +92,7 @@ TEST(FactorStore, PlacesElementsOfOtherRuns) {
   store->keep(table_of("key", kElements), 0, some_rows(5, 1));
   const auto kept = store->read(table_of("key", {"b", "d#1 of 3", "d#2 of 2"}), 0);
   ASSERT_EQ(kept.size(), 1U);
-  const std::uint32_t none = KeptRows::kNoPlace;
+  const std::uint32_t none = CachedRows::kNoPlace;
   EXPECT_EQ(kept[0].place, (std::vector<std::uint32_t>{none, 0, none, none, 2, 3}));
   EXPECT_EQ(kept[0].rows.size(), 2U);
   EXPECT_TRUE(store->read(table_of("key", {"e"}), 0).empty());
@@ -101,7 +101,7 @@ TEST(FactorStore, PlacesElementsOfOtherRuns) {
 TEST(FactorStore, ForgetsAllOfAKeyAndNothingElse) {
   const TemporaryFolder folder;
   const fs::path file = folder / "s";
-  const std::vector<KeptRow> rows = some_rows(static_cast<std::uint32_t>(kElements.size()), 1);
+  const std::vector<CachedRow> rows = some_rows(static_cast<std::uint32_t>(kElements.size()), 1);
   for (const auto& store : {open_factor_store(file), make_memory_store()}) {
     store->forget(table_of("key", kElements));
     store->keep(table_of("key", kElements), 0, rows);
@@ -149,7 +149,7 @@ TEST(FactorStore, FindsChangedBytesOrTheyHaveNoEffect) {
   std::vector<std::string> names;
   for (int k = 0; k < 100; ++k) names.push_back("element " + std::to_string(k));
   const StoreTable table = table_of("key", names);
-  const std::vector<KeptRow> rows = some_rows(100, 5);
+  const std::vector<CachedRow> rows = some_rows(100, 5);
   open_factor_store(folder / "s")->keep(table, 1, rows);
   const std::string whole = bytes_of(folder / "s");
   std::mt19937_64 random(4);
@@ -162,8 +162,8 @@ TEST(FactorStore, FindsChangedBytesOrTheyHaveNoEffect) {
     try {
       const auto store = open_factor_store(folder / "t");
       std::size_t read = 0;
-      for (const KeptRows& kept : store->read(table, 1))
-        for (const KeptRow& row : kept.rows) {
+      for (const CachedRows& kept : store->read(table, 1))
+        for (const CachedRow& row : kept.rows) {
           ASSERT_LT(row.row, rows.size());
           EXPECT_EQ(row, rows[row.row]);
           ++read;
@@ -174,7 +174,7 @@ TEST(FactorStore, FindsChangedBytesOrTheyHaveNoEffect) {
         store->keep(table, 1, rows);
         const auto again = store->read(table, 1);
         std::size_t back = 0;
-        for (const KeptRows& kept : again) back += kept.rows.size();
+        for (const CachedRows& kept : again) back += kept.rows.size();
         EXPECT_GE(back, rows.size());
       }
     } catch (const InputError& error) {
@@ -246,7 +246,7 @@ TEST(FactorStore, WaitsForWhomMakesIt) {
 
 TEST(FactorStore, HasManyReadersAndWritersAtOnce) {
   const TemporaryFolder folder;
-  const std::vector<KeptRow> rows = some_rows(5, 9);
+  const std::vector<CachedRow> rows = some_rows(5, 9);
   std::vector<std::thread> threads;
   std::atomic<int> wrong{0};
   for (int t = 0; t < 6; ++t)
@@ -255,8 +255,8 @@ TEST(FactorStore, HasManyReadersAndWritersAtOnce) {
         for (int k = 0; k < 10; ++k) {
           const auto store = open_factor_store(folder / "s");
           store->keep(table_of("key " + std::to_string(t % 3), kElements), 0, rows);
-          for (const KeptRows& kept : store->read(table_of("key " + std::to_string((t + 1) % 3), kElements), 0))
-            for (const KeptRow& row : kept.rows)
+          for (const CachedRows& kept : store->read(table_of("key " + std::to_string((t + 1) % 3), kElements), 0))
+            for (const CachedRow& row : kept.rows)
               if (row != rows[row.row]) ++wrong;
         }
       } catch (const std::exception& error) {

@@ -50,7 +50,7 @@ void expect_factor(const std::vector<SpacePolygon>& polygons, double factor, con
   const Patch3 i = scene.patch(0), j = scene.patch(1);
   const double area = scene.area(i);
   const auto expect = [&](const PairRequest3& how, const char* what) {
-    const PairMeasure3 m = scene.measure(i, j, how);
+    const PairResult3 m = scene.measure(i, j, how);
     EXPECT_EQ(m.problem, "") << name << ", " << what;
     EXPECT_NEAR(m.measure / area, factor, kTolerance) << name << ", " << what;
     EXPECT_LE(m.bounds.lower, factor * area * (1 + 1e-15)) << name << ", " << what;
@@ -86,7 +86,7 @@ void expect_enclosed(const std::vector<SpacePolygon>& polygons, double factor, c
     PairRequest3 how;
     how.tolerance = tolerance;
     how.proves = true;
-    const PairMeasure3 m = scene.measure(i, j, how);
+    const PairResult3 m = scene.measure(i, j, how);
     EXPECT_LE(m.bounds.lower, value + ulps) << name;
     EXPECT_GE(m.bounds.upper, value - ulps) << name;
     EXPECT_LE(m.bounds.width(), tolerance * std::min(area, scene.area(j))) << name;
@@ -206,7 +206,7 @@ TEST_P(Contacts, HaveTheMeasureOfQuadrature) {
   const QuadratureResult& better = there.error < back.error ? there : back;
   const PairScene3 scene(polygons);
   const Patch3 i = scene.patch(0), j = scene.patch(1);
-  const PairMeasure3 m = scene.measure(i, j, request());
+  const PairResult3 m = scene.measure(i, j, request());
   const double slack = 10 * better.error + 1e-9;
   EXPECT_NEAR(m.measure, better.measure, slack);
   EXPECT_NEAR(there.measure, back.measure, 10 * (there.error + back.error) + 1e-9);
@@ -220,8 +220,8 @@ TEST_P(Contacts, AreTheSameForBacks) {
   std::vector<SpacePolygon> reversed = GetParam().polygons;
   for (SpacePolygon& polygon : reversed) std::reverse(polygon.begin(), polygon.end());
   const PairScene3 scene(GetParam().polygons), turned(reversed);
-  const PairMeasure3 front = scene.measure(scene.patch(0), scene.patch(1), request());
-  const PairMeasure3 back = turned.measure(turned.patch(0, true), turned.patch(1, true), request());
+  const PairResult3 front = scene.measure(scene.patch(0), scene.patch(1), request());
+  const PairResult3 back = turned.measure(turned.patch(0, true), turned.patch(1, true), request());
   EXPECT_EQ(back.problem, "");
   EXPECT_NEAR(back.measure, front.measure, 2 * kTolerance * scene.area(scene.patch(0)));
 }
@@ -273,7 +273,7 @@ TEST(OccludedValues, WhatCoversHidesAll) {
     for (const bool is_reversed : {false, true}) {
       PairRequest3 how = request();
       how.is_reversed = is_reversed;
-      const PairMeasure3 m = scene.measure(scene.patch(0), scene.patch(1), how);
+      const PairResult3 m = scene.measure(scene.patch(0), scene.patch(1), how);
       EXPECT_EQ(m.measure, 0);
       EXPECT_EQ(m.bounds.upper, 0);
       EXPECT_FALSE(m.is_whole);
@@ -293,7 +293,7 @@ TEST(OccludedValues, ACubeInACubeTakesItsShare) {
       double row = 0;
       for (std::size_t j = 0; j < 12; ++j) {
         if (j == i) continue;
-        const PairMeasure3 m = scene.measure(scene.patch(i), scene.patch(j), request());
+        const PairResult3 m = scene.measure(scene.patch(i), scene.patch(j), request());
         EXPECT_EQ(m.problem, "");
         row += m.measure;
         if (j >= 6) inner += m.measure;

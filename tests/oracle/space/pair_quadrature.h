@@ -21,7 +21,7 @@ struct QuadratureResult {
 // It has nothing in common with integrals along edges. From j to i it takes other cells, so that pair.reversed() is
 // a check of its own.
 // COST: a millisecond to a second.
-// SEE: docs/design/space/point_map.md for what is seen from a point.
+// SEE: docs/design/space/visibility_map.md for what is seen from a point.
 QuadratureResult exchange_by_quadrature(const FlatPair& pair, double tolerance, std::uint64_t max_points = 3'000'000);
 
 }  // namespace hottel::oracle

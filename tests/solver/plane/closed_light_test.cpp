@@ -7,7 +7,7 @@
 
 #include "io/scene/scene_json.h"
 #include "solver/plane/light/solved_light.h"
-#include "solver/plane/simulation/questions.h"
+#include "solver/plane/simulation/queries.h"
 #include "solver/plane/simulation/simulation.h"
 
 namespace hottel::closed_light_test {

@@ -9,7 +9,7 @@
 
 #include "geometry/plane/visibility/visibility_polygon.h"
 #include "io/scene/scene_json.h"
-#include "solver/plane/simulation/questions.h"
+#include "solver/plane/simulation/queries.h"
 #include "solver/plane/simulation/simulation.h"
 
 namespace hottel::point_lights_test {

@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "io/foreign/space/foreign_matrix.h"
+#include "io/external/space/external_matrix.h"
 #include "io/scene/scene_json.h"
 #include "solver/compare/verdict.h"
 #include "solver/space/compare/method_comparison.h"

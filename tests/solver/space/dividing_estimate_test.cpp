@@ -159,7 +159,7 @@ TEST(SentOut3, LightsPointsOfAnEvenlyBrightRoomEvenly) {
   const ElementTable3& table = *prepared->elements(Granularity::kElement);
   for (std::uint32_t label = 0; label < table.count(); ++label) {
     if (!table.has_row(label)) continue;
-    const std::vector<Point3> corners = corners_of(prepared->blockers().vertices(), table.parts(label).front().patch);
+    const std::vector<Point3> corners = corners_of(prepared->occluders().vertices(), table.parts(label).front().patch);
     const Vector3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
     const Point3 eye{(corners[0].x + corners[2].x) / 2, (corners[0].y + corners[2].y) / 2,
                      (corners[0].z + corners[2].z) / 2};
@@ -179,7 +179,7 @@ TEST(SentOut3, LightsElementsInTheMeanAsTheirFactorsDo) {
   constexpr int kPoints = 12;
   for (std::uint32_t label = 0; label < table.count(); label += 5) {
     if (!table.has_row(label)) continue;
-    const std::vector<Point3> corners = corners_of(prepared->blockers().vertices(), table.parts(label).front().patch);
+    const std::vector<Point3> corners = corners_of(prepared->occluders().vertices(), table.parts(label).front().patch);
     const Vector3 u = corners[1] - corners[0], v = corners[3] - corners[0];
     double sum = 0;
     for (int a = 0; a < kPoints; ++a)

@@ -30,7 +30,7 @@ Point3 point_of(const std::vector<Point3>& corners, const Rational& s, const Rat
 Face side_of(const ElementTable3::Part& part) { return {part.patch.surface, part.is_back}; }
 
 Vector3 normal_of_side(const PreparedScene3& prepared, const Face& side) {
-  const IntegerVector& n = prepared.blockers().exact_normal(side.surface);
+  const IntegerVector& n = prepared.occluders().exact_normal(side.surface);
   const int sign = side.is_back ? -1 : 1;
   return {Rational(sign * n.x), Rational(sign * n.y), Rational(sign * n.z)};
 }
@@ -47,7 +47,7 @@ TEST(GatheredLight3, IsTheSumOverAllThatIsSeen) {
     const ElementTable3::Part& part = table->parts()[k];
     if (part.patch.is_sky() || !table->has_row(part.label)) continue;
     const Point3 point =
-        point_of(corners_of(prepared.blockers().vertices(), part.patch), Rational(2, 7), Rational(3, 11));
+        point_of(corners_of(prepared.occluders().vertices(), part.patch), Rational(2, 7), Rational(3, 11));
     obvious.irradiance(point, normal_of_side(prepared, side_of(part)), expected);
     gathered.irradiance(point, side_of(part), found);
     for (std::size_t c = 0; c < found.size(); ++c) EXPECT_NEAR(found[c], expected[c], 1e-12 * (1 + expected[c])) << k;
@@ -66,7 +66,7 @@ TEST(GatheredLight3, HasTheIrradianceOfAnElementInTheMean) {
   for (std::uint32_t label = 0; label < table->count(); label += 7) {
     if (!table->has_row(label)) continue;
     const ElementTable3::Part& part = table->parts(label)[0];
-    const auto corners = corners_of(prepared.blockers().vertices(), part.patch);
+    const auto corners = corners_of(prepared.occluders().vertices(), part.patch);
     ASSERT_EQ(corners.size(), 4u);
     double sum = 0;
     for (int s = 0; s < kAcross; ++s)

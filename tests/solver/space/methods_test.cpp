@@ -237,7 +237,7 @@ TEST(MethodsInSpace, FacesAndGroupsAreMeansOverTheirElements) {
   }
 }
 
-TEST(MethodsInSpace, ABlockerBetweenTheCentresHidesAllFromCenterAndAPartFromTheOthers) {
+TEST(MethodsInSpace, AnOccluderBetweenTheCentresHidesAllFromCenterAndAPartFromTheOthers) {
   const Scene3 scene = plates(2, 1, 1, R"(, {"name": "between", "material": "m",
       "points": [[0.25, 0.25, 1], [0.75, 0.25, 1], [0.75, 0.75, 1], [0.25, 0.75, 1]]})");
   EXPECT_EQ(by("center", scene).factor("low", "high").value, 0);

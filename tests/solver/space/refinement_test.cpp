@@ -87,7 +87,7 @@ TEST(RefinedTrees3, LeavesAboveTheLastLevelAreLitWhollyOrNotAtAll) {
     const PreparedScene3 prepared = prepare(scene);
     const RefinementLevels levels{.everywhere = 1, .at_borders = 3};
     scene = with_trees(scene, refined_trees(prepared, levels));
-    const ElementTable3 table(scene, prepared.arrangement(), prepared.blockers(), Granularity::kElement);
+    const ElementTable3 table(scene, prepared.arrangement(), prepared.occluders(), Granularity::kElement);
     const DirectLight3 light(prepared, scene.light_places[0].position, beam);
     for (std::uint32_t label = 0; label < table.count(); ++label) {
       if (!table.has_row(label)) continue;
@@ -99,7 +99,7 @@ TEST(RefinedTrees3, LeavesAboveTheLastLevelAreLitWhollyOrNotAtAll) {
       ++looked_at;
       int is_lit = 0, is_dark = 0;
       for (const ElementTable3::Part& part : table.free_parts(label)) {
-        const std::vector<Point3> corners = corners_of(prepared.blockers().vertices(), part.patch);
+        const std::vector<Point3> corners = corners_of(prepared.occluders().vertices(), part.patch);
         const Vector3 normal = cross(corners[1] - corners[0], corners[2] - corners[1]);
         for (int k = 0; k < 12; ++k) {
           // A random point inside: by weights of corners.

@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::uint32_t kNoSurface = 0xfffffffe;
 
-Blockers3 blockers_of(const std::vector<std::vector<std::array<int, 3>>>& outlines) {
+Occluders3 occluders_of(const std::vector<std::vector<std::array<int, 3>>>& outlines) {
   std::vector<Polygon3> polygons;
   for (const auto& outline : outlines) {
     Polygon3& polygon = polygons.emplace_back();
     for (const auto& [x, y, z] : outline) polygon.points.push_back({x, y, z});
   }
-  return Blockers3(polygons);
+  return Occluders3(polygons);
 }
 
 // In the doubles of the vertices, whose first is the origin of theirs: outlines here begin at 0, 0, 0.
@@ -69,9 +69,9 @@ TEST(SegmentVisibility3, AgreesWithIntegers) {
       }
       if (!is_flat) triangles.push_back(triangle);
     }
-    const Blockers3 blockers = blockers_of(triangles);
-    const double unit = to_double(scaled_by_power_of_two(blockers.vertices().scale(), blockers.vertices().shift()));
-    const SegmentVisibility3 visibility(blockers);
+    const Occluders3 occluders = occluders_of(triangles);
+    const double unit = to_double(scaled_by_power_of_two(occluders.vertices().scale(), occluders.vertices().shift()));
+    const SegmentVisibility3 visibility(occluders);
     for (int k = 0; k < 50; ++k) {
       const auto p = point(), q = point();
       bool is_free = true, is_sure = p != q;
@@ -95,14 +95,14 @@ TEST(SegmentVisibility3, AgreesWithIntegers) {
 // A square of two triangles and one of four: whatever meets an inner edge or the middle is hidden, and on the border of
 // the square each segment is hidden by exactly one of two squares beside each other.
 TEST(SegmentVisibility3, NothingSlipsBetweenPolygonsThatShareAnEdge) {
-  const Blockers3 halves = blockers_of({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}}, {{0, 0, 0}, {4, 4, 0}, {0, 4, 0}}});
-  const Blockers3 quarters = blockers_of({{{0, 0, 0}, {4, 0, 0}, {2, 2, 0}},
-                                          {{4, 0, 0}, {4, 4, 0}, {2, 2, 0}},
-                                          {{4, 4, 0}, {0, 4, 0}, {2, 2, 0}},
-                                          {{0, 4, 0}, {0, 0, 0}, {2, 2, 0}}});
-  for (const Blockers3* blockers : {&halves, &quarters}) {
-    const double unit = to_double(scaled_by_power_of_two(blockers->vertices().scale(), blockers->vertices().shift()));
-    const SegmentVisibility3 visibility(*blockers);
+  const Occluders3 halves = occluders_of({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}}, {{0, 0, 0}, {4, 4, 0}, {0, 4, 0}}});
+  const Occluders3 quarters = occluders_of({{{0, 0, 0}, {4, 0, 0}, {2, 2, 0}},
+                                            {{4, 0, 0}, {4, 4, 0}, {2, 2, 0}},
+                                            {{4, 4, 0}, {0, 4, 0}, {2, 2, 0}},
+                                            {{0, 4, 0}, {0, 0, 0}, {2, 2, 0}}});
+  for (const Occluders3* occluders : {&halves, &quarters}) {
+    const double unit = to_double(scaled_by_power_of_two(occluders->vertices().scale(), occluders->vertices().shift()));
+    const SegmentVisibility3 visibility(*occluders);
     for (double x = 0.25; x < 4; x += 0.25)
       for (double y = 0.25; y < 4; y += 0.25)
         for (const double lean : {-0.5, 0.0, 0.5}) {
@@ -111,21 +111,21 @@ TEST(SegmentVisibility3, NothingSlipsBetweenPolygonsThatShareAnEdge) {
           EXPECT_FALSE(visibility.see_each_other(above, below)) << x << " " << y << " " << lean;
         }
   }
-  const Blockers3 left = blockers_of({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}});
-  const Blockers3 right = blockers_of({{{4, 0, 0}, {8, 0, 0}, {8, 4, 0}, {4, 4, 0}}});
-  const auto is_free = [](const Blockers3& blockers, double x, double y) {
-    const Vertices3& vertices = blockers.vertices();
+  const Occluders3 left = occluders_of({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}});
+  const Occluders3 right = occluders_of({{{4, 0, 0}, {8, 0, 0}, {8, 4, 0}, {4, 4, 0}}});
+  const auto is_free = [](const Occluders3& occluders, double x, double y) {
+    const Vertices3& vertices = occluders.vertices();
     const double unit = to_double(scaled_by_power_of_two(vertices.scale(), vertices.shift()));
     const double first = to_double(vertices.origin().x);
-    return SegmentVisibility3(blockers).see_each_other(at((x - first) / unit, y / unit, 1 / unit),
-                                                       at((x - first) / unit, y / unit, -1 / unit));
+    return SegmentVisibility3(occluders).see_each_other(at((x - first) / unit, y / unit, 1 / unit),
+                                                        at((x - first) / unit, y / unit, -1 / unit));
   };
   for (double y = 0.5; y < 4; y += 0.5) EXPECT_NE(is_free(left, 4, y), is_free(right, 4, y)) << y;
 }
 
 TEST(SegmentVisibility3, APolygonHidesNothingFromItsOwnPointsAndTheSkyIsBeyondAll) {
-  const Blockers3 floor_and_roof =
-      blockers_of({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}, {{1, 1, 1}, {1, 3, 1}, {3, 3, 1}, {3, 1, 1}}});
+  const Occluders3 floor_and_roof =
+      occluders_of({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}, {{1, 1, 1}, {1, 3, 1}, {3, 3, 1}, {3, 1, 1}}});
   const double unit =
       to_double(scaled_by_power_of_two(floor_and_roof.vertices().scale(), floor_and_roof.vertices().shift()));
   const SegmentVisibility3 visibility(floor_and_roof);

@@ -10,8 +10,8 @@
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/moving_lights.h"
-#include "geometry/space/visibility/exact_map.h"
-#include "geometry/space/visibility/sight_finder.h"
+#include "geometry/space/visibility/exact_visibility_map.h"
+#include "geometry/space/visibility/visibility_finder.h"
 #include "kernel/support/failure.h"
 #include "solver/space/light/direct_light.h"
 #include "solver/space/light/refinement.h"
@@ -211,9 +211,9 @@ TEST(Sun3, PointsAreLitUpToTheBorderOfShadows) {
 // The ray through a point, followed from far before the scene by brute force; against the cones of the map.
 void expect_rays_alike(const std::vector<oracle::SpacePolygon>& polygons, const Vector3& d, std::mt19937& random,
                        int& compared, int& hit) {
-  const Blockers3 blockers(oracle::engine_polygons(polygons));
-  const ExactMap3 map = ExactMap3::of_sun(blockers, d);
-  const SightFinder3 finder(map);
+  const Occluders3 occluders(oracle::engine_polygons(polygons));
+  const ExactVisibilityMap3 map = ExactVisibilityMap3::of_sun(occluders, d);
+  const VisibilityFinder3 finder(map);
   for (int k = 0; k < 40; ++k) {
     const auto draw = [&] { return Rational(static_cast<int>(random() % 1201), 101); };
     const Point3 p{draw(), draw(), draw()};

@@ -241,7 +241,7 @@ TEST(TestedShares3, AreThoseOfASlowOracleInRandomRooms) {
     const PreparedScene3 prepared = prepare(scene);
     if (prepared.arrangement().solids().around(place.position)) continue;
     const ElementTable3& table = *prepared.elements(Granularity::kElement);
-    const Vertices3& vertices = prepared.blockers().vertices();
+    const Vertices3& vertices = prepared.occluders().vertices();
     const Point3& from = place.position;
     const auto place_of = [&](const IntegerVector& at, const Integer& weight) {
       const Rational scale = vertices.scale() / Rational(weight);

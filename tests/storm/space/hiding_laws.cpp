@@ -10,7 +10,7 @@
 #include <random>
 #include <utility>
 
-#include "geometry/space/arrangement/merged_blockers.h"
+#include "geometry/space/arrangement/merged_occluders.h"
 #include "geometry/space/hiding/hiders.h"
 #include "geometry/space/pairs/pair_details.h"
 #include "geometry/space/pairs/patch_halves.h"
@@ -118,7 +118,7 @@ std::string rays_are_broken(const HidingSubject3& subject) {
   std::string wrong;
   for (const Row& row : subject.rows()) {
     std::vector<std::array<int, 2>> arrived(subject.with_sky().size());
-    send_rays(subject, to_scene(subject.scene().blockers().vertices(), row.patch), row.is_back,
+    send_rays(subject, to_scene(subject.scene().occluders().vertices(), row.patch), row.is_back,
               [&](std::size_t polygon, bool is_back) { ++arrived[polygon][is_back]; });
     for (const Target& target : row.targets)
       if (target.measure.measure == 0 && arrived[target.polygon][target.is_back] > 0)
@@ -137,15 +137,15 @@ std::vector<Patch3> quarters_of(const Patch3& patch) {
 
 std::string never_first_is_broken(const HidingSubject3& subject) {
   std::string wrong;
-  const Vertices3& vertices = subject.scene().blockers().vertices();
-  const MergedBlockers3 merged(subject.scene().blockers());
-  const Hiders3 hiders(merged.blockers());
+  const Vertices3& vertices = subject.scene().occluders().vertices();
+  const MergedOccluders3 merged(subject.scene().occluders());
+  const Hiders3 hiders(merged.occluders());
   for (const Row& row : subject.rows()) {
     std::vector<Patch3> patches = quarters_of(row.patch);
     patches.push_back(row.patch);
     for (std::size_t k = 0; k < patches.size(); ++k) {
       patches[k].surface = merged.surface_of(0);
-      FirstMet3 first_met(hiders, patches[k], merged.blockers().size());
+      FirstMet3 first_met(hiders, patches[k], merged.occluders().size());
       send_rays(subject, to_scene(vertices, patches[k]), 2 * k + row.is_back, [&](std::size_t polygon, bool) {
         if (polygon >= subject.polygons().size()) return;
         const std::uint32_t surface = merged.surface_of(static_cast<std::uint32_t>(polygon));
@@ -165,11 +165,11 @@ struct Way {
 
 class BodyCheck {
  public:
-  BodyCheck(const Blockers3& blockers, const ConvexBody3& body) : vertices_(blockers.vertices()), body_(body) {
+  BodyCheck(const Occluders3& occluders, const ConvexBody3& body) : vertices_(occluders.vertices()), body_(body) {
     for (const VertexId3 v : body.corners) corners_.push_back(place(v));
     for (const std::uint32_t s : body.surfaces) {
       surfaces_.emplace_back();
-      for (const VertexId3 v : blockers.outline(s)) surfaces_.back().push_back(place(v));
+      for (const VertexId3 v : occluders.outline(s)) surfaces_.back().push_back(place(v));
     }
   }
 
@@ -233,18 +233,18 @@ class BodyCheck {
 };
 
 std::string bodies_are_broken(const HidingSubject3& subject) {
-  const MergedBlockers3 merged(subject.scene().blockers());
-  const ConvexBodies3 bodies(merged.blockers());
+  const MergedOccluders3 merged(subject.scene().occluders());
+  const ConvexBodies3 bodies(merged.occluders());
   std::string wrong;
   for (std::size_t b = 0; b < bodies.bodies().size(); ++b)
-    wrong += BodyCheck(merged.blockers(), bodies.bodies()[b]).broken(Drawer(subject.chance(), b));
+    wrong += BodyCheck(merged.occluders(), bodies.bodies()[b]).broken(Drawer(subject.chance(), b));
   return wrong;
 }
 
 // What is wrong with a measure of the same.
-std::string other_than(const HidingSubject3& subject, const Row& row, const Target& target, const PairMeasure3& other,
+std::string other_than(const HidingSubject3& subject, const Row& row, const Target& target, const PairResult3& other,
                        const char* what, double slack) {
-  const PairMeasure3& m = target.measure;
+  const PairResult3& m = target.measure;
   std::string wrong;
   if (!other.problem.empty() && m.problem.empty()) return "";  // what is walked may be too much for doubles
   if (other.problem != m.problem) wrong += fmt::format("'{}', {}: '{}'; ", m.problem, what, other.problem);
@@ -267,7 +267,7 @@ std::string walked_is_broken(const HidingSubject3& subject) {
       if (draw.below(row.targets.size()) >= kWalked) continue;
       PairRequest3 request = subject.request(row.patch, target.patch);
       request.asks_hiders = false;
-      const PairMeasure3 walked = subject.scene().measure(row.patch, target.patch, request);
+      const PairResult3 walked = subject.scene().measure(row.patch, target.patch, request);
       wrong += other_than(subject, row, target, walked, "walked", 2 * subject.slack(row.patch, target.patch));
     }
   return wrong;
@@ -305,7 +305,7 @@ void for_some_targets(const HidingSubject3& subject, std::uint64_t salt, const V
 std::string reversal_is_broken(const HidingSubject3& subject) {
   std::string wrong;
   for_some_targets(subject, 7, [&](const Row& row, const Target& target) {
-    const PairMeasure3 reversed =
+    const PairResult3 reversed =
         subject.scene().measure(target.patch, row.patch, subject.request(row.patch, target.patch));
     wrong += other_than(subject, row, target, reversed, "reversed", 2 * subject.slack(row.patch, target.patch));
   });
@@ -318,9 +318,9 @@ std::string alone_is_broken(const HidingSubject3& subject) {
   for_some_targets(subject, 10, [&](const Row& row, const Target& target) {
     const PairRequest3 request = subject.request(row.patch, target.patch);
     PairDetails3 details;
-    const PairMeasure3& m = target.measure;
+    const PairResult3& m = target.measure;
     for (PairDetails3* told : {static_cast<PairDetails3*>(nullptr), &details}) {
-      const PairMeasure3 alone = subject.scene().measurer().measure(row.patch, target.patch, request, told);
+      const PairResult3 alone = subject.scene().measurer().measure(row.patch, target.patch, request, told);
       if (unit * alone.measure != m.measure || unit * alone.error != m.error ||
           unit * alone.bounds.lower != m.bounds.lower || unit * alone.bounds.upper != m.bounds.upper ||
           alone.is_whole != m.is_whole || alone.problem != m.problem)
@@ -334,10 +334,10 @@ std::string alone_is_broken(const HidingSubject3& subject) {
 std::string parts_are_broken(const HidingSubject3& subject) {
   std::string wrong;
   for_some_targets(subject, 8, [&](const Row& row, const Target& target) {
-    PairMeasure3 sum;
+    PairResult3 sum;
     double slack = 2 * subject.slack(row.patch, target.patch);
     for (const Patch3& part : quarters_of(row.patch)) {
-      const PairMeasure3 m = subject.scene().measure(part, target.patch, subject.request(part, target.patch));
+      const PairResult3 m = subject.scene().measure(part, target.patch, subject.request(part, target.patch));
       sum.measure += m.measure;
       sum.bounds = {sum.bounds.lower + m.bounds.lower, sum.bounds.upper + m.bounds.upper};
       if (!m.problem.empty()) sum.problem = m.problem;
@@ -351,8 +351,8 @@ std::string parts_are_broken(const HidingSubject3& subject) {
 }
 
 // All of the sky from a patch, in scene units.
-PairMeasure3 sky_from(const HidingSubject3& subject, const Patch3& patch, const PairRequest3& request) {
-  PairMeasure3 m = subject.scene().measurer().measure(patch, Patch3::all_of_the_sky(), request);
+PairResult3 sky_from(const HidingSubject3& subject, const Patch3& patch, const PairRequest3& request) {
+  PairResult3 m = subject.scene().measurer().measure(patch, Patch3::all_of_the_sky(), request);
   const double unit = subject.scene().unit();
   m.measure *= unit;
   m.error *= unit;
@@ -368,7 +368,7 @@ std::string sky_is_broken(const HidingSubject3& subject) {
         .tolerance = std::max(kTolerance, kDigits * square_of(subject.polygons()) / subject.scene().area(row.patch))};
     const double slack = request.tolerance * subject.scene().area(row.patch);
     all.measure = sky_from(subject, row.patch, request);
-    PairMeasure3 of_sides;
+    PairResult3 of_sides;
     of_sides.is_whole = true;
     double slack_of_sides = slack;
     for (const Target& side : row.targets) {
@@ -376,7 +376,7 @@ std::string sky_is_broken(const HidingSubject3& subject) {
       of_sides.measure += side.measure.measure;
       of_sides.bounds = {of_sides.bounds.lower + side.measure.bounds.lower * (1 - 1e-15),
                          of_sides.bounds.upper + side.measure.bounds.upper * (1 + 1e-15)};
-      of_sides.is_whole &= side.measure.is_whole || side.measure.sight == Sight3::kHidden;
+      of_sides.is_whole &= side.measure.is_whole || side.measure.sight == PairVisibility3::kHidden;
       if (!side.measure.problem.empty()) of_sides.problem = side.measure.problem;
       slack_of_sides += std::max(subject.slack(row.patch, side.patch), side.measure.error);
     }
@@ -385,12 +385,12 @@ std::string sky_is_broken(const HidingSubject3& subject) {
     request.asks_hiders = false;
     wrong += other_than(subject, row, all, sky_from(subject, row.patch, request), "walked", 2 * slack);
     request.asks_hiders = true;
-    PairMeasure3 of_parts;
+    PairResult3 of_parts;
     double slack_of_parts = slack;
     for (const Patch3& part : quarters_of(row.patch)) {
       PairRequest3 of_part = request;
       of_part.tolerance = std::max(kTolerance, slack / subject.scene().area(part));
-      const PairMeasure3 m = sky_from(subject, part, of_part);
+      const PairResult3 m = sky_from(subject, part, of_part);
       of_parts.measure += m.measure;
       of_parts.bounds = {of_parts.bounds.lower + m.bounds.lower * (1 - 1e-15),
                          of_parts.bounds.upper + m.bounds.upper * (1 + 1e-15)};
@@ -410,7 +410,7 @@ std::string matrix_is_broken(const HidingSubject3& subject) { return subject.mat
 HidingSubject3::HidingSubject3(Polygons3 polygons, std::uint64_t chance)
     : polygons_(std::move(polygons)), with_sky_(polygons_), chance_(chance), scene_(polygons_) {
   const std::vector<Patch3> sky = scene_.sky(kSkies[chance % kSkies.size()]);
-  for (const Patch3& side : sky) with_sky_.push_back(to_scene(scene_.blockers().vertices(), side));
+  for (const Patch3& side : sky) with_sky_.push_back(to_scene(scene_.occluders().vertices(), side));
   square_ = square_of(polygons_);
   sky_square_ = square_of(with_sky_);
   for (const bool is_back : {false, true}) {
@@ -418,7 +418,7 @@ HidingSubject3::HidingSubject3(Polygons3 polygons, std::uint64_t chance)
     PairRow3 pairs(scene_.measurer(), row.patch);
     const double unit = scene_.unit();
     const auto add = [&](std::size_t polygon, bool is_other_back, Patch3 patch) {
-      PairMeasure3 m = pairs.measure(patch, request(row.patch, patch));
+      PairResult3 m = pairs.measure(patch, request(row.patch, patch));
       m.measure *= unit;
       m.error *= unit;
       m.bounds = {m.bounds.lower * unit, m.bounds.upper * unit};

@@ -23,7 +23,7 @@ class HidingSubject3 {
     std::size_t polygon;
     bool is_back;
     Patch3 patch;
-    PairMeasure3 measure;
+    PairResult3 measure;
   };
   struct Row {
     bool is_back;

@@ -2,8 +2,8 @@
 
 #include <fmt/core.h>
 
-#include "geometry/space/arrangement/merged_blockers.h"
-#include "geometry/space/between/pair_setting.h"
+#include "geometry/space/arrangement/merged_occluders.h"
+#include "geometry/space/between/pair_occluders.h"
 #include "geometry/space/hiding/hiders.h"
 #include "io/scene/scene_json.h"
 #include "tests/comparison/space/map_comparison.h"
@@ -23,25 +23,25 @@ Sights sights_of(const HidingSubject3& subject) {
     bool& is_noted = sights[static_cast<std::size_t>(sight)];
     is_noted = is_noted || is_there;
   };
-  const MergedBlockers3 merged(subject.scene().blockers());
-  const Blockers3& blockers = merged.blockers();
-  const Hiders3 hiders(blockers);
-  const SurfaceBoxes3 boxes(blockers);
+  const MergedOccluders3 merged(subject.scene().occluders());
+  const Occluders3& occluders = merged.occluders();
+  const Hiders3 hiders(occluders);
+  const SurfaceBoxes3 boxes(occluders);
   for (const ConvexBody3& body : hiders.bodies().bodies())
     note(body.lid ? HidingSight3::kOpen : HidingSight3::kClosed, true);
-  for (std::uint32_t s = 0; s < blockers.size(); ++s)
+  for (std::uint32_t s = 0; s < occluders.size(); ++s)
     note(HidingSight3::kLoose, hiders.bodies().body_of(s) == ConvexBody3::kNone);
   for (const HidingSubject3::Row& row : subject.rows()) {
     Patch3 i = row.patch;
     i.surface = merged.surface_of(0);
     const PlacedPatch3 placed = hiders.placed(i);
     for (const HidingSubject3::Target& target : row.targets) {
-      const PairMeasure3& m = target.measure;
+      const PairResult3& m = target.measure;
       note(HidingSight3::kSeen, m.measure != 0 && !m.is_whole);
       if (m.measure != 0) continue;
       Patch3 j = target.patch;
       if (!j.is_sky()) j.surface = merged.surface_of(j.surface);
-      if (PairSetting3(blockers, boxes, i, j).sight != Sight3::kMixed) continue;
+      if (PairOccluders3(occluders, boxes, i, j).sight != PairVisibility3::kMixed) continue;
       note(HidingSight3::kHidden, hiders.hide(placed, hiders.placed(j)));
       note(HidingSight3::kNeverFirst, !j.is_sky() && hiders.is_never_first(placed, j.surface));
     }

@@ -44,7 +44,7 @@ TEST(HidingStorm3, IsTheSameForAnyNumberOfThreads) {
 }
 
 std::string nothing_is_never_first(const HidingSubject3& subject) {
-  const Hiders3 hiders(subject.scene().blockers());
+  const Hiders3 hiders(subject.scene().occluders());
   const PlacedPatch3 placed = hiders.placed(subject.rows()[0].patch);
   for (std::uint32_t s = 1; s < subject.polygons().size(); ++s)
     if (hiders.is_never_first(placed, s)) return "never first\n";

@@ -36,12 +36,12 @@ PairRequest3 request(double tolerance) {
 }
 PairRequest3 request(const Subject3& subject) { return request(subject.tolerance(subject.area())); }
 
-std::string with_problem(const char* what, const PairMeasure3& measure) {
+std::string with_problem(const char* what, const PairResult3& measure) {
   return measure.problem.empty() ? "" : fmt::format("{}: {}\n", what, measure.problem);
 }
 
 // What is wrong with a measure that should be the subject's. Each of so many numbers may be off by a tolerance.
-std::string other_than(const Subject3& subject, const PairMeasure3& measure, const char* what, int numbers = 2) {
+std::string other_than(const Subject3& subject, const PairResult3& measure, const char* what, int numbers = 2) {
   std::string wrong = with_problem(what, measure);
   const double off = measure.measure - subject.measure().measure;
   if (!(std::fabs(off) <= numbers * subject.slack()))
@@ -58,7 +58,7 @@ std::string other_than(const Subject3& subject, const PairMeasure3& measure, con
 }
 
 std::string answer_is_broken(const Subject3& subject) {
-  const PairMeasure3& m = subject.measure();
+  const PairResult3& m = subject.measure();
   std::string wrong = with_problem("pair", m);
   if (!(m.error <= subject.slack() * 1.001)) wrong += fmt::format("error {:.3g}\n", m.error);
   if (!(m.residual <= m.residual_bound))
@@ -67,9 +67,9 @@ std::string answer_is_broken(const Subject3& subject) {
     wrong += fmt::format("S = {:.17g} in [{:.17g}, {:.17g}]\n", m.measure, m.bounds.lower, m.bounds.upper);
   if (m.measure > subject.unobstructed() + subject.slack())
     wrong += fmt::format("S = {:.17g} > S0 = {:.17g}\n", m.measure, subject.unobstructed());
-  if (m.sight == Sight3::kHidden && (m.measure != 0 || m.bounds.upper != 0 || m.is_whole))
+  if (m.sight == PairVisibility3::kHidden && (m.measure != 0 || m.bounds.upper != 0 || m.is_whole))
     wrong += fmt::format("hidden, S = {:.17g}\n", m.measure);
-  if (m.sight == Sight3::kClear && !m.is_whole) wrong += "clear, but not whole\n";
+  if (m.sight == PairVisibility3::kClear && !m.is_whole) wrong += "clear, but not whole\n";
   return wrong;
 }
 
@@ -82,7 +82,7 @@ bool is_on_lattice(const Polygons3& polygons) {
 }
 
 std::string whole_is_broken(const Subject3& subject) {
-  const PairMeasure3& m = subject.measure();
+  const PairResult3& m = subject.measure();
   const double lost = (subject.unobstructed() - m.measure) / subject.area();
   if (m.is_whole && !(std::fabs(lost) <= subject.tolerance(subject.area())))
     return fmt::format("whole, but {:.3g} of the area lost\n", lost);
@@ -124,7 +124,7 @@ std::string looseness_is_broken(const Subject3& subject) {
   for (const double tolerance : {1e-6, 1e-9}) {
     PairRequest3 loose;
     loose.tolerance = tolerance;
-    const PairMeasure3 m = subject.scene().measure(subject.i(), subject.j(), loose);
+    const PairResult3 m = subject.scene().measure(subject.i(), subject.j(), loose);
     wrong += with_problem("loose", m);
     const double off = std::fabs(m.measure - subject.measure().measure);
     if (!(off <= kEstimate * m.error + subject.measure().error && off <= 2 * tolerance * subject.area()))
@@ -137,7 +137,7 @@ std::string looseness_is_broken(const Subject3& subject) {
 
 // What two rules and a residual agree on is no part of a proof: that holds them, each way, about whatever origin.
 std::string proof_is_broken(const Subject3& subject) {
-  const PairMeasure3& m = subject.measure();
+  const PairResult3& m = subject.measure();
   if (!m.problem.empty()) return "";  // which other laws tell
   std::string wrong;
   for (const bool is_reversed : {false, true})
@@ -146,7 +146,7 @@ std::string proof_is_broken(const Subject3& subject) {
       how.proves = true;
       how.is_reversed = is_reversed;
       if (is_reversed) how.origin_shift[1] = std::sqrt(subject.area() / subject.scene().unit()) / 3;
-      const PairMeasure3 proven = subject.scene().measure(subject.i(), subject.j(), how);
+      const PairResult3 proven = subject.scene().measure(subject.i(), subject.j(), how);
       const double slack = 2 * subject.slack();
       if (!(proven.bounds.lower - slack <= m.measure && m.measure <= proven.bounds.upper + slack))
         wrong += fmt::format("S = {:.17g}, proven within {:.0e}: in [{:.17g}, {:.17g}]\n", m.measure, tolerance,
@@ -158,7 +158,7 @@ std::string proof_is_broken(const Subject3& subject) {
 
 std::string rays_are_broken(const Subject3& subject) {
   const oracle::FlatPair pair = oracle::first_pair(subject.polygons());
-  const PairMeasure3& m = subject.measure();
+  const PairResult3& m = subject.measure();
   std::string wrong;
   for (const bool is_reversed : {false, true}) {
     const oracle::RayEstimate rays =
@@ -209,13 +209,13 @@ Polygons3 moved(Polygons3 polygons, const Move& move) {
 }
 
 // The measure of polygons 0 and 1.
-PairMeasure3 measure_of(const Polygons3& polygons, const Subject3& subject) {
+PairResult3 measure_of(const Polygons3& polygons, const Subject3& subject) {
   const PairScene3 scene(polygons);
   return scene.measure(scene.patch(0), scene.patch(1), request(subject));
 }
 
 // What differs from a measure that should be the same bit for bit, with areas in a unit of its own.
-std::string not_the_same(const PairMeasure3& m, const PairMeasure3& other, double unit, const char* what) {
+std::string not_the_same(const PairResult3& m, const PairResult3& other, double unit, const char* what) {
   const bool is_same = m.measure * unit == other.measure && m.error * unit == other.error &&
                        m.bounds.lower * unit == other.bounds.lower && m.bounds.upper * unit == other.bounds.upper &&
                        m.is_whole == other.is_whole && m.sight == other.sight && m.residual == other.residual &&
@@ -242,7 +242,7 @@ std::string scaling_is_broken(const Subject3& subject) {
   std::string wrong =
       not_the_same(subject.measure(), measure_of(scaled(mpq_class(1) << 20), subject), 0x1p40, "times 2^20");
   const PairScene3 other(scaled(mpq_class(3) / 7));
-  PairMeasure3 measure = other.measure(other.patch(0), other.patch(1), request(subject));
+  PairResult3 measure = other.measure(other.patch(0), other.patch(1), request(subject));
   const double same = measure.measure * (subject.scene().unit() / other.unit());
   if (std::fabs(same - subject.measure().measure) > 4e-16 * same)
     wrong += fmt::format("S = {:.17g}, times 3/7: {:.17g}\n", subject.measure().measure, same);
@@ -313,7 +313,7 @@ std::string fewer_is_broken(const Subject3& subject) {
   for (std::size_t k = 2; k < subject.polygons().size(); ++k) {
     Polygons3 fewer = subject.polygons();
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
-    const PairMeasure3 m = measure_of(fewer, subject);
+    const PairResult3 m = measure_of(fewer, subject);
     wrong += with_problem("without one", m);
     if (m.measure < subject.measure().measure - subject.slack())
       wrong += fmt::format("S = {:.17g}, without polygon {}: {:.17g}\n", subject.measure().measure, k, m.measure);
@@ -345,10 +345,10 @@ std::string nudge_is_broken(const Subject3& subject) {
   const double size = nudge_3(polygons, subject.chance());
   if (size == 0) return "";
   const PairScene3 scene(polygons);
-  const PairMeasure3 m = scene.measure(scene.patch(0), scene.patch(1), request(subject));
+  const PairResult3 m = scene.measure(scene.patch(0), scene.patch(1), request(subject));
   PairRequest3 reversed = request(subject);
   reversed.is_reversed = true;
-  const PairMeasure3 back = scene.measure(scene.patch(0), scene.patch(1), reversed);
+  const PairResult3 back = scene.measure(scene.patch(0), scene.patch(1), reversed);
   std::string wrong = with_problem("nudged", m) + with_problem("nudged, from j to i", back);
   const double off = std::fabs(m.measure - subject.measure().measure), slack = 2 * subject.slack();
   if (!(off <= size * sensitivity(polygons) + slack))
@@ -368,12 +368,12 @@ std::string elements_are_broken(const Subject3& subject) {
   std::string wrong;
   for (const std::size_t divided : {0, 1}) {
     if (!has_quarters(subject.polygons()[divided])) continue;
-    PairMeasure3 sum;
+    PairResult3 sum;
     sum.is_whole = true;
     sum.bounds = {0, 0};
     for (const Patch3& part : scene.quarters(divided)) {
       const PairRequest3 how = request(subject.tolerance(subject.area() / 4));
-      const PairMeasure3 m =
+      const PairResult3 m =
           divided == 0 ? scene.measure(part, subject.j(), how) : scene.measure(subject.i(), part, how);
       wrong += with_problem("quarter", m);
       sum.measure += m.measure;
@@ -396,7 +396,7 @@ std::string quarters_are_broken(const Subject3& subject) {
   std::string wrong;
   for (const Patch3& a : scene.quarters(0))
     for (const Patch3& b : scene.quarters(1)) {
-      const PairMeasure3 m = scene.measure(a, b, request(subject.tolerance(subject.area() / 4)));
+      const PairResult3 m = scene.measure(a, b, request(subject.tolerance(subject.area() / 4)));
       wrong += with_problem("two quarters", m);
       sum += m.measure;
     }
@@ -417,7 +417,7 @@ std::string closure_is_broken(const Subject3& subject) {
     const auto add = [&](const Patch3& to) {
       const double smaller = std::min(scene.area(i), scene.area(to));
       const double tolerance = std::max(subject.tolerance(smaller), margin < 10 ? 0 : kNeverTooMuch);
-      const PairMeasure3 m = scene.measure(i, to, request(tolerance));
+      const PairResult3 m = scene.measure(i, to, request(tolerance));
       wrong += with_problem("row", m);
       sum += m.measure;
       slack += std::max(tolerance * smaller, m.error);

@@ -22,7 +22,7 @@ class Subject3 {
   const oracle::PairScene3& scene() const { return scene_; }
   const Patch3& i() const { return i_; }
   const Patch3& j() const { return j_; }
-  const PairMeasure3& measure() const { return measure_; }
+  const PairResult3& measure() const { return measure_; }
   double area() const { return area_; }  // of the smaller one
   // What is asked for where the smaller area is this: 1e-12, or as far as doubles go.
   double tolerance(double area) const;
@@ -35,7 +35,7 @@ class Subject3 {
   oracle::PairScene3 scene_;
   Patch3 i_, j_;
   double area_, square_;
-  PairMeasure3 measure_;
+  PairResult3 measure_;
   double unobstructed_;
 };
 

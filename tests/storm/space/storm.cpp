@@ -12,9 +12,9 @@ namespace hottel::storm {
 
 namespace {
 
-Settled3 settled(const PairMeasure3& m) {
-  if (m.sight == Sight3::kHidden) return Settled3::kHidden;
-  if (m.sight == Sight3::kClear) return Settled3::kClear;
+Settled3 settled(const PairResult3& m) {
+  if (m.sight == PairVisibility3::kHidden) return Settled3::kHidden;
+  if (m.sight == PairVisibility3::kClear) return Settled3::kClear;
   if (m.measure == 0) return Settled3::kHiddenAlongEdges;
   return m.is_whole ? Settled3::kWholeAlongEdges : Settled3::kMixed;
 }

@@ -29,7 +29,7 @@ TEST(LatticeStorm3, HundredsOfScenesObeyTheLaws) {
     EXPECT_GE(result.checks[l], kScenes / laws_3()[l].every) << laws_3()[l].name;
   for (std::size_t c = 0; c < kContactKinds3; ++c)
     EXPECT_GE(result.contacts[c], kScenes / 10) << to_string(static_cast<Contact3>(c));
-  // Pairs that are found whole only along edges come once in some hundred scenes: see pair_measure_test.cpp for one.
+  // Pairs that are found whole only along edges come once in some hundred scenes: see pair_integrator_test.cpp for one.
   for (const Settled3 kind : {Settled3::kHidden, Settled3::kClear, Settled3::kHiddenAlongEdges, Settled3::kMixed})
     EXPECT_GE(result.settled[static_cast<std::size_t>(kind)], kScenes / 150) << to_string(kind);
 }

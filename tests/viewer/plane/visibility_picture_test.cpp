@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "geometry/plane/visibility/point_sight.h"
+#include "geometry/plane/visibility/point_view.h"
 #include "tests/viewer/plane/drawn_scenes.h"
 #include "viewer/picture/plane/scene_sheet.h"
 #include "viewer/picture/plane/visibility_painter.h"
@@ -60,7 +60,7 @@ bool contains(const std::vector<std::array<double, 2>>& polygon, double x, doubl
 TEST(VisibilityDrawing2, ReachesAllAroundTowardsTheSky) {
   const PreparedScene2 scene = prepare(furnished_room());
   for (const Point2& eye : {Point2{9, 1}, {-5, 2}, {2, 9}, {2, -7}, {Rational(1) / 2, Rational(1000001) / -1000000}}) {
-    const VisibilityDrawing2 drawing = drawing_of(point_sight(scene, eye).polygon);
+    const VisibilityDrawing2 drawing = drawing_of(point_view(scene, eye).polygon);
     const double x = to_double(eye.x), y = to_double(eye.y);
     const double away_x = x > 4 ? 1 : x < 0 ? -1 : 0, away_y = y > 4 ? 1 : y < 0 ? -1 : 0;
     for (const double far : {1e-3, 1.0, 100.0})

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "geometry/space/prepared/prepared_scene.h"
-#include "geometry/space/visibility/point_map.h"
+#include "geometry/space/visibility/visibility_map.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "solver/space/simulation/simulation.h"

@@ -24,7 +24,7 @@ Simulation3 stage() {
 }
 
 Vector3 toward(const PreparedScene3& prepared, const Face& side) {
-  const IntegerVector& n = prepared.blockers().exact_normal(side.surface);
+  const IntegerVector& n = prepared.occluders().exact_normal(side.surface);
   const int sign = side.is_back ? -1 : 1;
   return {Rational(sign * n.x), Rational(sign * n.y), Rational(sign * n.z)};
 }

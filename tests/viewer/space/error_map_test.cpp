@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/foreign/space/foreign_matrix.h"
+#include "io/external/space/external_matrix.h"
 #include "io/scene/scene_json.h"
 
 namespace hottel::error_map_test {

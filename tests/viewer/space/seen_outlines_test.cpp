@@ -105,7 +105,7 @@ TEST(SeenOutlines, EndWhereTheyAreHidden) {
 class SeenSides {
  public:
   explicit SeenSides(const PreparedScene3& prepared, const Camera3& camera)
-      : table_(prepared.scene, prepared.arrangement(), prepared.blockers(), Granularity::kFace) {
+      : table_(prepared.scene, prepared.arrangement(), prepared.occluders(), Granularity::kFace) {
     paint_.values.assign(table_.count(), 0);
     paint_.unknown = paint_.black = paint_.sky = {0};
     seen_.emplace(SeenScene3{prepared, table_, paint_}, camera);

@@ -20,7 +20,7 @@ class SeenPicture : public testing::Test {
   SeenPicture()
       : simulation(scene(), {.factors = {.granularity = Granularity::kElement}}),
         prepared(*simulation.prepared()),
-        table(prepared.scene, prepared.arrangement(), prepared.blockers(), Granularity::kElement),
+        table(prepared.scene, prepared.arrangement(), prepared.occluders(), Granularity::kElement),
         mesh(prepared, table),
         paint(light_paint_3(prepared.scene, *simulation.radiosities())),
         camera(*prepared.scene.camera) {

@@ -40,7 +40,7 @@ struct Meshed {
   explicit Meshed(const std::string& text) : Meshed(parse_scene_3(text, "squares.json")) {}
   explicit Meshed(const Scene3& scene)
       : prepared(prepare(scene)),
-        table(prepared.scene, prepared.arrangement(), prepared.blockers(), Granularity::kElement),
+        table(prepared.scene, prepared.arrangement(), prepared.occluders(), Granularity::kElement),
         mesh(prepared, table) {}
 
   // The value at the corners that lie at a point; nothing where there are none or their values differ.
@@ -138,7 +138,7 @@ struct RandomTrees {
   std::size_t parts() const { return meshed.table.parts().size(); }
   bool is_drawn(std::size_t part) const { return !meshed.mesh.ring(part).empty(); }
   std::vector<Point3> own_corners(std::size_t part) const {
-    return corners_of(meshed.prepared.blockers().vertices(), meshed.table.parts()[part].patch);
+    return corners_of(meshed.prepared.occluders().vertices(), meshed.table.parts()[part].patch);
   }
   std::vector<double> random_values(std::mt19937& random, std::size_t channels) const {
     std::vector<double> result;

@@ -35,7 +35,8 @@ TEST(Texels3, HaveTheLightOfTheirMiddles) {
   const Simulation3 simulation = solved("lights/stage.json", 1);
   const auto solution = simulation.radiosities();
   const PreparedScene3& prepared = *simulation.prepared();
-  const GatheredSource3 source(prepared, Granularity::kElement, *solution, light_responses_3(*solution), *simulation.light_shares());
+  const GatheredSource3 source(prepared, Granularity::kElement, *solution, light_responses_3(*solution),
+                               *simulation.light_shares());
   const Face floor = face_of(simulation.scene(), "floor");
   const Grid3 grid = texel_grid_3(simulation.scene(), floor, 13, 9);
   const IlluminationGrid3 texels = texels_3(prepared, source, floor, grid);

@@ -7,8 +7,8 @@
 
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
-#include "geometry/space/visibility/point_map.h"
 #include "geometry/space/visibility/seen_faces.h"
+#include "geometry/space/visibility/visibility_map.h"
 #include "viewer/picture/space/pixel_painter.h"
 
 namespace hottel {
@@ -33,10 +33,11 @@ enum class Place : unsigned char { kRoom, kOpen, kHidden };
 
 Place place_of(const PreparedScene3& prepared, const Point3& eye) {
   if (prepared.arrangement().solids().around(eye)) return Place::kHidden;
-  const PointMap3 map = with_owners(map_from(prepared.blockers(), {.eye = eye, .normal = {}}), prepared.arrangement());
+  const VisibilityMap3 map =
+      with_owners(map_from(prepared.occluders(), {.eye = eye, .normal = {}}), prepared.arrangement());
   if (map.sky_fraction >= 0.5) return Place::kOpen;
   double lit = 0;
-  for (const PointMap3::Share& share : map.shares)
+  for (const VisibilityMap3::Share& share : map.shares)
     if (prepared.scene.surfaces[share.face.surface].material_of(share.face.is_back)) lit += share.fraction;
   return lit >= 0.5 ? Place::kRoom : Place::kHidden;
 }

@@ -18,7 +18,7 @@ struct PreparedScene3;
 // blended; of what has none, of black sides and of the sky what the paint says.
 //
 //   (1) a pixel is the mean over its area of what is shown there, each point by itself: what hides what is decided
-//       exactly (PointMap3), areas are in doubles. So the picture is without steps
+//       exactly (VisibilityMap3), areas are in doubles. So the picture is without steps
 //   (2) a picture of twice the pixels, averaged by fours, is the same but for rounding, where values are not blended
 //   (3) without blending, pixels integrate what the elements show; with it, a pixel takes the value in the middle of
 //       what it has of each triangle

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "geometry/space/prepared/prepared_scene.h"
-#include "kernel/support/naming_file.h"
+#include "kernel/support/with_file_context.h"
 #include "viewer/picture/space/render_picture.h"
 
 namespace hottel {
@@ -46,7 +46,7 @@ ShownValues error_values_3(const MethodComparison3& comparison, const MethodResu
 }
 
 std::string error_map_3(const MethodComparison3& comparison, const MethodResult& result, PictureFormat format) {
-  return naming_file(comparison.prepared().scene.file, [&] {
+  return with_file_context(comparison.prepared().scene.file, [&] {
     RenderOptions3 options;
     options.shown = error_values_3(comparison, result);
     options.has_outlines = true;

@@ -74,7 +74,7 @@ class CornerRadiosities {
   // Off a corner of a patch, a little to its middle.
   Point3 inner_point(const Point3& corner, const Patch3& patch) const {
     Vector3 way;
-    const std::vector<Point3> corners = corners_of(prepared_.blockers().vertices(), patch);
+    const std::vector<Point3> corners = corners_of(prepared_.occluders().vertices(), patch);
     const Rational part = Rational(1) / Rational(kPartInward * static_cast<int>(corners.size()));
     for (const Point3& p : corners) {
       const Vector3 to = p - corner;

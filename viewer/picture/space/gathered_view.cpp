@@ -89,7 +89,7 @@ class GatheredPoints {
     const Point3 point = seen.plane.point(seen.plane.way(projection_.direction(inner)));
     scene_.light.irradiance(point, seen.side, irradiance);
     if (scene_.lights != nullptr)
-      scene_.lights->add(point, normal_of_side_3(scene_.prepared.blockers(), seen.side), irradiance);
+      scene_.lights->add(point, normal_of_side_3(scene_.prepared.occluders(), seen.side), irradiance);
     scene_.responses.value(*seen.element, irradiance, std::span(values_).subspan(k * channels_, channels_));
   }
 

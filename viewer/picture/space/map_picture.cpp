@@ -8,7 +8,7 @@
 
 #include "geometry/space/scene/scene.h"
 #include "geometry/space/visibility/convex_cut.h"
-#include "geometry/space/visibility/point_map.h"
+#include "geometry/space/visibility/visibility_map.h"
 #include "kernel/support/failure.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/colour_map.h"
@@ -248,23 +248,24 @@ void MapPainter3::draw(PictureCanvas& canvas) const {
   name(discs_[1], radius_, "behind");
 }
 
-MapDrawing3 drawing_of(const Scene3& scene, const Look3& look, const PointMap3& map) {
+MapDrawing3 drawing_of(const Scene3& scene, const Look3& look, const VisibilityMap3& map) {
   MapDrawing3 drawing;
   if (look.normal) {
     drawing.forward = unit({to_double(look.normal->x), to_double(look.normal->y), to_double(look.normal->z)});
     if (std::abs(drawing.forward.z) > 0.99) drawing.up = {0, 1, 0};
   }
   const auto in_solids = static_cast<std::uint32_t>(2 * scene.surfaces.size());
-  const auto add = [&](const PointMap3::Fragment& fragment, std::uint32_t face) {
+  const auto add = [&](const VisibilityMap3::Fragment& fragment, std::uint32_t face) {
     MapPiece3 piece{{}, face};
     for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) piece.corners.push_back(map.corners[c].direction);
     drawing.pieces.push_back(std::move(piece));
   };
-  for (const PointMap3::Fragment& fragment : map.solid_fragments) add(fragment, in_solids);
-  for (const PointMap3::Fragment& fragment : map.fragments) add(fragment, fragment.face.number());  // over these
+  for (const VisibilityMap3::Fragment& fragment : map.solid_fragments) add(fragment, in_solids);
+  for (const VisibilityMap3::Fragment& fragment : map.fragments) add(fragment, fragment.face.number());  // over these
   drawing.colours.resize(in_solids + 1);
   drawing.colours[in_solids] = palette::kSolid;
-  for (const PointMap3::Share& share : map.shares) drawing.colours[share.face.number()] = colour_of(scene, share.face);
+  for (const VisibilityMap3::Share& share : map.shares)
+    drawing.colours[share.face.number()] = colour_of(scene, share.face);
   return drawing;
 }
 

@@ -13,7 +13,7 @@
 namespace hottel {
 
 struct Look3;
-struct PointMap3;
+struct VisibilityMap3;
 struct Scene3;
 
 // A part of the sphere between arcs of great circles: convex, smaller than a hemisphere; its corners in order.
@@ -74,7 +74,7 @@ class MapPainter3 {
 
 // What is drawn of a map: each face in the colour of its material, darker the flatter it is seen; grey where solids
 // are. Forward is where the normal of the look points, else along y; up is z, or y where forward is along z.
-MapDrawing3 drawing_of(const Scene3& scene, const Look3& look, const PointMap3& map);
+MapDrawing3 drawing_of(const Scene3& scene, const Look3& look, const VisibilityMap3& map);
 
 // Returns the bytes of the picture file.
 std::string map_picture_3(const MapDrawing3& drawing, PictureFormat format);

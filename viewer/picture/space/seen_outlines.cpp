@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "geometry/space/visibility/point_map.h"
+#include "geometry/space/visibility/visibility_map.h"
 #include "kernel/support/interrupt.h"
 #include "viewer/picture/space/border_lines.h"
 #include "viewer/picture/space/eye_map.h"
@@ -52,9 +52,9 @@ std::vector<BorderPart3> joined(std::vector<BorderPart3> parts) {
 }
 
 // The sides that fragments have, each once.
-std::vector<Face> seen_sides(const PointMap3& map) {
+std::vector<Face> seen_sides(const VisibilityMap3& map) {
   std::vector<Face> sides;
-  for (const PointMap3::Fragment& fragment : map.fragments)
+  for (const VisibilityMap3::Fragment& fragment : map.fragments)
     if (sides.empty() || sides.back() != fragment.face) sides.push_back(fragment.face);
   return sides;
 }
@@ -82,10 +82,10 @@ class Outlines {
   }
 
  private:
-  void add_fragment(const PointMap3::Fragment& fragment, std::span<const BorderLines3::Border> borders) {
+  void add_fragment(const VisibilityMap3::Fragment& fragment, std::span<const BorderLines3::Border> borders) {
     throw_if_interrupted();
     for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) {
-      const PointMap3::Corner& corner = map_.corners[c];
+      const VisibilityMap3::Corner& corner = map_.corners[c];
       const Direction3& from = corner.direction;
       const Direction3& to = map_.corners[c + 1 == fragment.end ? fragment.begin : c + 1].direction;
       if (add_border(borders, from, to)) continue;
@@ -135,7 +135,7 @@ class Outlines {
 
   const PreparedScene3& prepared_;
   Point3 eye_;
-  PointMap3 map_;
+  VisibilityMap3 map_;
   Projection3 projection_;
   BorderLines3 lines_;
   std::vector<std::vector<BorderPart3>> seen_;  // by line

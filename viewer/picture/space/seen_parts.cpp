@@ -60,7 +60,7 @@ struct SidePart {
 class Sides {
  public:
   Sides(const SeenScene3& scene, const Point3& eye, const Projection3& projection)
-      : scene_(scene), eye_(eye), projection_(projection), parts_(2 * scene.prepared.blockers().size()) {
+      : scene_(scene), eye_(eye), projection_(projection), parts_(2 * scene.prepared.occluders().size()) {
     const auto& parts = scene.table.parts();
     for (std::size_t k = 0; k < parts.size(); ++k)
       if (!parts[k].patch.is_sky() && scene.table.has_row(parts[k].label))
@@ -90,7 +90,7 @@ class Sides {
     PixelPolygon outline;
     if (!is_all) {
       std::vector<Direction3> corners;
-      for (const Point3& p : corners_of(scene_.prepared.blockers().vertices(), part.patch))
+      for (const Point3& p : corners_of(scene_.prepared.occluders().vertices(), part.patch))
         corners.push_back(rounded_way(eye_, p));
       outline = projection_.picture(std::move(corners));
       if (outline.size() < 3) return;
@@ -124,7 +124,7 @@ class Sides {
   // The way to the mean of its own corners: those within its sides do not move it.
   Direction3 middle_of(const Patch3& patch) const {
     Direction3 sum;
-    const auto corners = corners_of(scene_.prepared.blockers().vertices(), patch);
+    const auto corners = corners_of(scene_.prepared.occluders().vertices(), patch);
     for (const Point3& corner : corners) sum = sum + rounded_way(eye_, corner);
     return (1.0 / static_cast<double>(corners.size())) * sum;
   }
@@ -190,10 +190,10 @@ double Shade3::high(std::span<const double> weights) const {
 void for_each_seen_part(const SeenScene3& scene, const Camera3& camera,
                         const std::function<void(const SeenPart3&)>& take) {
   const PreparedScene3& prepared = scene.prepared;
-  const PointMap3 map = eye_map_3(prepared, camera);
+  const VisibilityMap3 map = eye_map_3(prepared, camera);
   const Projection3 projection(camera);
   Sides sides(scene, camera.eye, projection);
-  for (const PointMap3::Fragment& fragment : map.fragments) {  // those of a face follow each other
+  for (const VisibilityMap3::Fragment& fragment : map.fragments) {  // those of a face follow each other
     throw_if_interrupted();
     std::vector<Direction3> corners;
     for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) corners.push_back(map.corners[c].direction);

@@ -100,7 +100,7 @@ struct SeenScene3 {
 // Calls take(part) for all that a camera sees but the sky.
 //
 //   (1) no two parts share an area, and together with the sky they are the picture: what hides what is decided exactly
-//       (PointMap3), places are in doubles
+//       (VisibilityMap3), places are in doubles
 //   (2) with a mesh, values are blended over triangles of parts, as it says
 //
 // Throws RequestError where the eye is in a solid, Interrupted when asked to stop. REQUIRES a camera without a problem.

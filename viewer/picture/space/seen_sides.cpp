@@ -9,10 +9,10 @@
 namespace hottel {
 
 std::vector<SeenSide3> seen_sides_3(const PreparedScene3& prepared, const Camera3& camera) {
-  const PointMap3 map = eye_map_3(prepared, camera);
+  const VisibilityMap3 map = eye_map_3(prepared, camera);
   const Projection3 projection(camera);
   std::vector<SeenSide3> result;
-  for (const PointMap3::Fragment& fragment : map.fragments) {
+  for (const VisibilityMap3::Fragment& fragment : map.fragments) {
     std::vector<Direction3> corners;
     for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) corners.push_back(map.corners[c].direction);
     PixelPolygon outline = projection.picture(std::move(corners));
@@ -23,7 +23,7 @@ std::vector<SeenSide3> seen_sides_3(const PreparedScene3& prepared, const Camera
 
 std::vector<std::optional<std::uint32_t>> elements_of_sides_3(const PreparedScene3& prepared,
                                                               const ElementTable3& table) {
-  std::vector<std::optional<std::uint32_t>> result(2 * prepared.blockers().size());
+  std::vector<std::optional<std::uint32_t>> result(2 * prepared.occluders().size());
   for (const ElementTable3::Part& part : table.parts())
     if (!part.patch.is_sky() && table.has_row(part.label))
       if (auto& first = result[Face{part.patch.surface, part.is_back}.number()]; !first) first = part.label;

@@ -148,7 +148,7 @@ std::map<FlatSurface, std::vector<std::uint32_t>> flat_surfaces(const PreparedSc
 class SmoothMesh3::Builder {
  public:
   Builder(SmoothMesh3& mesh, const PreparedScene3& prepared, const ElementTable3& table)
-      : mesh_(mesh), vertices_(prepared.blockers().vertices()), table_(table), rings_(table.parts().size()) {
+      : mesh_(mesh), vertices_(prepared.occluders().vertices()), table_(table), rings_(table.parts().size()) {
     for (const auto& [surface, parts] : flat_surfaces(prepared, table)) {
       const std::uint32_t first = label(parts[0]);
       const auto is_other = [&](std::uint32_t k) { return label(k) != first; };

@@ -47,7 +47,7 @@ std::vector<PartRun3> smooth_runs_3(const PreparedScene3& prepared, const Elemen
     const std::span<const std::uint32_t> ring = mesh.ring(k);
     if (ring.empty()) continue;
     const ElementTable3::Part& part = table.parts()[k];
-    const Direction3 middle = middle_of(prepared.blockers().vertices(), part.patch);
+    const Direction3 middle = middle_of(prepared.occluders().vertices(), part.patch);
     for (std::size_t c = 0; c < ring.size(); ++c) {
       const std::array<std::uint32_t, 2> ends{ring[c], ring[c + 1 == ring.size() ? 0 : c + 1]};
       PartRun3::Triangle& triangle = result[k].triangles.emplace_back();

@@ -53,7 +53,7 @@ IlluminationGrid3 texels_3(const PreparedScene3& prepared, const GatheredSource3
         if (!side || !element[side->number()]) return;
         std::vector<double> irradiance(source.light().channels());
         source.light().irradiance(middle, *side, irradiance);
-        lights.add(middle, normal_of_side_3(prepared.blockers(), *side), irradiance);
+        lights.add(middle, normal_of_side_3(prepared.occluders(), *side), irradiance);
         source.responses().value(*element[side->number()], irradiance, light);
       },
       progress);

@@ -11,7 +11,7 @@
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/visibility/critical_points.h"
-#include "geometry/plane/visibility/point_sight.h"
+#include "geometry/plane/visibility/point_view.h"
 #include "geometry/scene_names.h"
 #include "io/results/plane/check_report.h"
 #include "io/results/plane/visibility_report.h"
@@ -23,7 +23,7 @@
 #include "solver/plane/compare/method_comparison.h"
 #include "solver/plane/methods/computed_factors.h"
 #include "solver/plane/methods/method_catalogue.h"
-#include "solver/plane/simulation/questions.h"
+#include "solver/plane/simulation/queries.h"
 #include "viewer/picture/plane/error_map.h"
 #include "viewer/window/text_lines.h"
 
@@ -48,7 +48,7 @@ std::string text_of(const PointLight2& light) {
 void add_sight(const LiveState2& state, LookResult2& result, const StageProgress& progress) {
   if (!result.request.mouse || !state.prepared) return;
   const Point2& eye = *result.request.mouse;
-  const PointSight2 sight = point_sight(*state.prepared, eye);
+  const PointView2 sight = point_view(*state.prepared, eye);
   if (result.request.look == Look2::kVisibility) {
     result.sight = drawing_of(sight.polygon);
     result.lines = {"from " + text_of(eye)};

@@ -11,7 +11,7 @@
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/visibility/critical_points.h"
-#include "geometry/plane/visibility/point_sight.h"
+#include "geometry/plane/visibility/point_view.h"
 #include "geometry/scene_names.h"
 #include "io/results/plane/check_report.h"
 #include "io/results/plane/visibility_report.h"
@@ -22,7 +22,7 @@
 #include "solver/plane/compare/method_comparison.h"
 #include "solver/plane/methods/computed_factors.h"
 #include "solver/plane/methods/method_catalogue.h"
-#include "solver/plane/simulation/questions.h"
+#include "solver/plane/simulation/queries.h"
 #include "tests/viewer/edit/plane/edited_scenes.h"
 #include "viewer/edit/plane/scene_edits.h"
 #include "viewer/picture/colour_map.h"
@@ -136,7 +136,7 @@ TEST(LookAt2, TellsWhatTheMouseSees) {
   for (const Point2& mouse :
        {Point2{Rational(1) / 2, 2}, Point2{1, 2}, Point2{9, 9}, Point2{Rational(5) / 2, Rational(3) / 2}}) {
     const LookResult2 result = look_at(room(), {.look = Look2::kVisibility, .mouse = mouse}, kNoProgress);
-    const PointSight2 sight = point_sight(*room().prepared, mouse);
+    const PointView2 sight = point_view(*room().prepared, mouse);
     const VisibilityDrawing2 drawing = drawing_of(sight.polygon);
     ASSERT_TRUE(result.sight);
     EXPECT_EQ(result.sight->polygon, drawing.polygon);

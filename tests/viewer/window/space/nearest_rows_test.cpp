@@ -65,7 +65,7 @@ TEST_F(Arriving, NearRowsComeFirstAndAllCome) {
   const Simulation3 watched = simulation();
   const ExchangeMatrix& matrix = watched.factors()->matrix;
   const LiveModel3 model(*watched.prepared());
-  const auto corners = element_corners(model.table(), model.prepared.blockers().vertices());
+  const auto corners = element_corners(model.table(), model.prepared.occluders().vertices());
   double before = 0;
   std::size_t all = 0;
   for (const auto& part : watch->parts) {

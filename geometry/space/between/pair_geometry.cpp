@@ -1,0 +1,204 @@
+#include "geometry/space/between/pair_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/exact_double.h"
+
+namespace hottel {
+namespace {
+
+int sign_of(Int128 value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+
+bool is_at(const IntegerVector& p, const Integer& weight, const IntegerVector& vertex) {
+  thread_local Integer product;
+  const auto is_same = [&](const Integer& a, const Integer& b) {
+    mpz_mul(product.get_mpz_t(), weight.get_mpz_t(), b.get_mpz_t());
+    return a == product;
+  };
+  return is_same(p.x, vertex.x) && is_same(p.y, vertex.y) && is_same(p.z, vertex.z);
+}
+
+}  // namespace
+
+PairGeometry3::PairGeometry3(const Occluders3& occluders, const Patch3& i, const Patch3& j)
+    : vertices_(&occluders.vertices()) {
+  long top = 0;
+  for (const Patch3* patch : {&i, &j})
+    for (const IntegerVector& corner : patch->corners) top = std::max(top, bits(corner));
+  shift_ = top <= 53 && occluders.vertices().shift() == 0 ? 0 : std::max(0L, top - 53);
+  add_patch(occluders, i);
+  add_patch(occluders, j);
+  patch_sides = {side_of_body(0, 1), side_of_body(1, 0)};
+}
+
+std::uint32_t PairGeometry3::add_point(const IntegerVector& exact, const Integer& weight,
+                                       const BoundedVector& approximate) {
+  points.push_back({&exact, &weight, approximate, truncated_double(weight)});
+  if (mpz_sizeinbase(weight.get_mpz_t(), 2) > 53) points.back().approximate.error += 0x1p-52 * approximate.size;
+  return static_cast<std::uint32_t>(points.size() - 1);
+}
+
+std::uint32_t PairGeometry3::vertex(const Occluders3& occluders, VertexId3 v) {
+  static const Integer kOne = 1;
+  const auto [place, is_new] = vertex_numbers_.try_emplace(v.number(), static_cast<std::uint32_t>(points.size()));
+  const Vertices3& vertices = occluders.vertices();
+  if (is_new)
+    add_point(vertices.exact(v), kOne,
+              shift_ == vertices.shift() ? vertices.approximate(v) : rounded(vertices.exact(v), shift_));
+  return place->second;
+}
+
+void PairGeometry3::add_patch(const Occluders3& occluders, const Patch3& patch) {
+  Body body{{}, nullptr, {}, patch.surface};
+  IntegerVector& normal = patch_normals_[bodies.size()];
+  body.normal_numbers = &normal;
+  if (patch.is_far()) {
+    for (const IntegerVector& corner : patch.corners)
+      body.corners.push_back(add_point(corner, patch.weight, rounded(corner, 0)));
+    bodies.push_back(std::move(body));
+    return;
+  }
+  const std::size_t others = points.size();
+  for (const IntegerVector& corner : patch.corners) {
+    VertexId3 same = VertexId3::none();
+    if (!patch.is_sky())
+      for (const VertexId3 v : occluders.outline(patch.surface))
+        if (is_at(corner, patch.weight, occluders.vertices().exact(v))) same = v;
+    if (!same.is_none()) {
+      body.corners.push_back(vertex(occluders, same));
+      continue;
+    }
+    const BoundedVector approximate = rounded(corner, shift_);
+    const double weight = truncated_double(patch.weight);
+    const auto may_be_same = [&](const Point& p) {
+      const double slack = 1e-9 * (weight * p.approximate.size + p.approximate_weight * approximate.size);
+      // Not a number where weights are infinite: then all may be.
+      return !(std::fabs(weight * p.approximate.x - p.approximate_weight * approximate.x) > slack) &&
+             !(std::fabs(weight * p.approximate.y - p.approximate_weight * approximate.y) > slack) &&
+             !(std::fabs(weight * p.approximate.z - p.approximate_weight * approximate.z) > slack);
+    };
+    const auto is_same = [&](const Point& p) {
+      return may_be_same(p) && is_at(multiple(p.weight(), corner), patch.weight, p.exact());
+    };
+    const auto known = std::find_if(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(others), is_same);
+    body.corners.push_back(known == points.begin() + static_cast<std::ptrdiff_t>(others)
+                               ? add_point(corner, patch.weight, approximate)
+                               : static_cast<std::uint32_t>(known - points.begin()));
+  }
+  normal = primitive(normal_of(patch));
+  body.normal = rounded(normal, std::max(0L, bits(normal) - 53));
+  bodies.push_back(std::move(body));
+}
+
+std::uint32_t PairGeometry3::add(const Occluders3& occluders, std::uint32_t surface) {
+  const auto number = static_cast<std::uint32_t>(bodies.size());
+  Body body{{}, &occluders.exact_normal(surface), occluders.normal(surface), surface};
+  for (const VertexId3 v : occluders.outline(surface)) body.corners.push_back(vertex(occluders, v));
+  bodies.push_back(std::move(body));
+  of_body.push_back({side_of_body(number, 0), side_of_body(number, 1)});
+  of_patch.push_back({side_of_body(0, number), side_of_body(1, number)});
+  return number;
+}
+
+void PairGeometry3::drop_last() {
+  bodies.pop_back();
+  of_body.pop_back();
+  of_patch.pop_back();
+}
+
+void PairGeometry3::add_solid(const Occluders3& occluders, const ConvexBody3& body) {
+  if (solids.empty()) end_of_between_ = count();
+  Solid& solid = solids.emplace_back(Solid{&body, {}, {}, {}});
+  for (std::size_t k = 0; k < body.surfaces.size(); ++k) {
+    std::uint32_t face = 2;
+    while (face < end_of_between_ && bodies[face].surface != body.surfaces[k]) ++face;
+    if (face == end_of_between_) face = add(occluders, body.surfaces[k]);
+    solid.faces.push_back(face);
+    const IntegerVector& outward = body.planes[body.plane_of[k]].outward;
+    solid.outward.push_back(static_cast<signed char>(dot_sign(bodies[face].exact_normal(), outward)));
+    for (std::size_t patch = 0; patch < 2; ++patch)
+      if (of_body[face][patch].has_behind) solid.may_hide[patch] = false;
+  }
+  for (std::uint32_t k = 0; k < solid.faces.size(); ++k) {
+    const std::vector<std::uint32_t>& corners = bodies[solid.faces[k]].corners;
+    for (std::uint32_t side = 0; side < corners.size(); ++side) {
+      const std::uint32_t a = corners[side], b = corners[(side + 1) % corners.size()];
+      const auto is_same = [&](const Solid::Edge& edge) {
+        const std::vector<std::uint32_t>& others = bodies[solid.faces[edge.face[0]]].corners;
+        const std::uint32_t c = others[edge.side[0]], d = others[(edge.side[0] + 1) % others.size()];
+        return (a == c && b == d) || (a == d && b == c);
+      };
+      if (const auto known = std::ranges::find_if(solid.edges, is_same); known == solid.edges.end())
+        solid.edges.push_back({{k, Solid::kNone}, {side, 0}});
+      else {
+        known->face[1] = k;
+        known->side[1] = side;
+      }
+    }
+  }
+}
+
+PairGeometry3::Side PairGeometry3::side_of_body(std::uint32_t body, std::uint32_t other) const {
+  Side result;
+  for (const std::uint32_t point : bodies[body].corners) {
+    const int sign = side(point, other);
+    result.has_front |= sign > 0;
+    result.has_behind |= sign < 0;
+  }
+  return result;
+}
+
+// weight of p * q - weight of q * p.
+BoundedVector PairGeometry3::way(std::uint32_t p, std::uint32_t q) const {
+  const Point &from = points[p], &to = points[q];
+  const BoundedVector &a = from.approximate, &b = to.approximate;
+  const double v = from.approximate_weight, w = to.approximate_weight;
+  BoundedVector d{v * b.x - w * a.x, v * b.y - w * a.y, v * b.z - w * a.z};
+  d.size = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+  const double sizes = v * b.size + w * a.size;
+  if (a.error != 0 || b.error != 0 || sizes > 0x1p53)
+    d.error = 1.001 * (v * b.error + w * a.error + 0x1p-52 * sizes) + detail::kUnderflow;
+  return d;
+}
+
+IntegerVector PairGeometry3::exact_way(std::uint32_t p, std::uint32_t q) const {
+  const Point &from = points[p], &to = points[q];
+  return difference(multiple(from.weight(), to.exact()), multiple(to.weight(), from.exact()));
+}
+
+Direction3 PairGeometry3::place(std::uint32_t point) const {
+  const Point& p = points[point];
+  const BoundedVector& a = p.approximate;
+  const double w = p.approximate_weight;
+  if (p.is_far()) return {a.x, a.y, a.z};
+  if (std::isfinite(w)) return {a.x / w, a.y / w, a.z / w};
+  return {rounded_quotient(p.exact().x, p.weight(), shift_), rounded_quotient(p.exact().y, p.weight(), shift_),
+          rounded_quotient(p.exact().z, p.weight(), shift_)};
+}
+
+int PairGeometry3::side(std::uint32_t point, std::uint32_t body) const {
+  const Body& b = bodies[body];
+  if (is_far(body)) return 1;
+  for (const std::uint32_t corner : b.corners)
+    if (corner == point) return 0;
+  const int sign = filtered_sign(b.normal, way(b.corners.front(), point));
+  return sign != kUndecided ? sign : sgn(dot(b.exact_normal(), exact_way(b.corners.front(), point)));
+}
+
+int PairGeometry3::orientation(std::uint32_t p, std::uint32_t q, std::uint32_t r, std::uint32_t s) const {
+  if (p == q || p == r || p == s || q == r || q == s || r == s) return 0;
+  const BoundedVector a = way(p, q), b = way(p, r), c = way(p, s);
+  const int sign = filtered_sign(cross(a, b), c);
+  if (sign == kUndecided && is_small_integer(a) && is_small_integer(b) && is_small_integer(c))
+    return sign_of(small_determinant(a, b, c));
+  return sign != kUndecided ? sign : determinant_sign(exact_way(p, q), exact_way(p, r), exact_way(p, s));
+}
+
+int PairGeometry3::orientation(const Plane& plane, std::uint32_t s) const {
+  if (s == plane.p || s == plane.q || s == plane.r) return 0;
+  const int sign = filtered_sign(plane.normal, way(plane.p, s));
+  return sign != kUndecided ? sign : orientation(plane.p, plane.q, plane.r, s);
+}
+
+}  // namespace hottel

@@ -1,0 +1,51 @@
+#include "io/external/external_grid.h"
+
+#include <nlohmann/json.hpp>
+
+#include "io/external/numpy_array.h"
+#include "io/files/text_file.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+std::optional<std::array<std::array<double, 2>, 2>> region_beside(const std::filesystem::path& file) {
+  const std::string beside = file.string() + ".json";
+  std::error_code ignored;
+  if (!std::filesystem::exists(beside, ignored)) return std::nullopt;
+  const auto json = nlohmann::json::parse(read_text_file(beside), nullptr, false);
+  if (!json.is_object() || !json.contains("region") || !json["region"].is_object()) return std::nullopt;
+  std::array<std::array<double, 2>, 2> region{};
+  const std::array<const char*, 2> corners = {"min", "max"};
+  for (std::size_t c = 0; c < 2; ++c) {
+    const auto corner = json["region"].find(corners[c]);
+    if (corner == json["region"].end() || !corner->is_array() || corner->size() != 2) return std::nullopt;
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (!(*corner)[k].is_number()) return std::nullopt;
+      region[c][k] = (*corner)[k].get<double>();
+    }
+  }
+  return region;
+}
+
+}  // namespace
+
+ExternalGrid read_external_grid(const std::filesystem::path& file) {
+  const std::string name = file.string(), text = read_text_file(file);
+  if (!text.starts_with("\x93NUMPY")) throw InputError({name, 0}, "is no array of NumPy (.npy)");
+  const NumpyArray array = parse_numpy(name, text, 3);
+  ExternalGrid grid{name, array.shape[0], array.shape[1], array.shape.size() == 3 ? array.shape[2] : 1, {}, {}, false,
+                    {}};
+  grid.has_channels = array.shape.size() == 3;
+  grid.digits.relative = array.relative_rounding();
+  grid.values.resize(array.count());
+  std::size_t k = 0;
+  for (std::uint64_t y = 0; y < grid.ny; ++y)
+    for (std::uint64_t x = 0; x < grid.nx; ++x)
+      for (std::uint64_t c = 0; c < grid.channels; ++c, ++k)
+        grid.values[k] = array.number(array.is_by_columns ? y + grid.ny * (x + grid.nx * c) : k);
+  grid.region = region_beside(file);
+  return grid;
+}
+
+}  // namespace hottel

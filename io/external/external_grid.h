@@ -1,0 +1,33 @@
+// Light on a grid that another program computed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/compare/written_factors.h"
+
+namespace hottel {
+
+// A value for each cell and channel of a file, in C order (ny, nx, channels), row 0 the lowest y (in space: at the
+// origin). NaN and infinities are kept: cells of which the program says nothing.
+struct ExternalGrid {
+  std::string file;
+  std::uint32_t ny = 0, nx = 0, channels = 1;
+  std::vector<double> values;
+  WrittenDigits digits;       // of float32 or float64
+  bool has_channels = false;  // the file has a third index
+
+  // Corners of the outermost cells, where FILE.json says them, as hottel writes it beside illumination.npy.
+  std::optional<std::array<std::array<double, 2>, 2>> region;  // min, max
+};
+
+// Reads a NumPy array of the shape (ny, nx) or (ny, nx, channels), float64 or float32, in C or in Fortran order, and
+// the region of FILE.json if there is one. Throws InputError for anything else. COST: the file and its numbers in
+// memory.
+ExternalGrid read_external_grid(const std::filesystem::path& file);
+
+}  // namespace hottel
