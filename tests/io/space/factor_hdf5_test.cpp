@@ -1,4 +1,6 @@
 // View factors of space as an HDF5 file.
+#include "io/results/factor_hdf5.h"
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -6,7 +8,6 @@
 #include "geometry/space/exchange/exchange.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "io/files/text_file.h"
-#include "io/results/factor_hdf5.h"
 #include "io/scene/scene_json.h"
 #include "tests/io/listed_in_hdf5.h"
 #include "tests/temporary_folder.h"
