@@ -124,14 +124,14 @@ TEST(DegenerateExchange2, ACopyOwnsNothingAndHasNoRows) {
 TEST(DegenerateExchange2, AnEdgeThereAndBackIsOneWithTwoSides) {
   const Exact thin(degenerate("edge_there_and_back"));
   EXPECT_TRUE(printed(thin.matrix(), [](const std::string& name) {
-                return name == "there" ? "occluder" : name == "back again" ? "occluder:back" : name;
+                return name == "there" ? "blocker" : name == "back again" ? "blocker:back" : name;
               }) == printed(degenerate("blocker_on_bitangent")));
 }
 
 TEST(DegenerateExchange2, OrderAndDirectionOfTheInputChangeNothing) {
   const ExchangeMatrix shuffled = exact_exchange(prepare(degenerate("same_edges_shuffled")));
   EXPECT_TRUE(printed(shuffled, [](const std::string& name) {
-                return name == "occluder" ? "occluder:back" : name == "occluder:back" ? "occluder" : name;
+                return name == "blocker" ? "blocker:back" : name == "blocker:back" ? "blocker" : name;
               }) == printed(degenerate("blocker_on_bitangent")));
 }
 
