@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "io/results/short_digits.h"
+#include "kernel/rational.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {

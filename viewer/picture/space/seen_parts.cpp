@@ -72,8 +72,8 @@ class Sides {
 
   // COST: that of the parts where another face was asked for before; else nothing.
   const std::vector<SidePart>& of(const Face& face) {
-    if (face == last_) return side_;
-    last_ = face;
+    if (face.number() == last_) return side_;
+    last_ = face.number();
     side_.clear();
     for (const std::size_t k : parts_[face.number()]) add(k, parts_[face.number()].size() == 1);
     return side_;
@@ -135,7 +135,8 @@ class Sides {
   std::vector<std::vector<std::size_t>> parts_;  // of the table, by side of a piece
   std::vector<double> corner_values_;            // by corner of the mesh and channel
   std::vector<Direction3> ways_;                 // by corner of the mesh
-  std::optional<Face> last_;
+  static constexpr std::uint32_t kNoFace = 0xffffffff;
+  std::uint32_t last_ = kNoFace;  // the number of the face asked for last
   std::vector<SidePart> side_;
 };
 
