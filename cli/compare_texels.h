@@ -29,7 +29,7 @@ struct ComparedTexels {
 };
 
 // Holds it against the light that is gathered at the middles of the texels (texels_3), by the radiosities of the
-// elements of the scene. What a file has is told by its FILE.json, else it is radiosity: by channel where it has a
+// elements of the scene. Its FILE.json says which quantity a file has, else it is radiosity: by channel where it has a
 // third index, else their mean, of two bands their sum. progress: fraction done. Throws InputError naming the file
 // where it has other channels, or no texel can be compared; RequestError where there is no exact light.
 ComparedTexels judge_texels(const TexelFile& file, const MethodComparison3& comparison, double beyond,

@@ -101,14 +101,11 @@ void write_oriented_light(const OrientedPointsInput& input, Scene scene, Streams
     throw UsageError("the light at points with normals is written as .csv, not '" + input.out + "'");
   const int dimension = std::holds_alternative<Scene2>(scene) ? 2 : 3;
   const std::vector<OrientedPoint> points = read_oriented_points(input.text, input.name, dimension);
-  OutputFile file = streams.output(input.out);  // opened before the work
-  const LightOfScene light = light_of(std::move(scene), streams.stages());
-  try {
+  streams.write_with(input.out, [&](OutputFile& file) {
+    const LightOfScene light = light_of(std::move(scene), streams.stages());
     OrientedLightCsv csv(dimension, light.channel_names, [&file](std::string_view text) { file.write(text); });
     with_file_context(input.scene, [&] { write_light(points, light.light_at, streams, csv); });
-    file.commit();
-  } catch (const ReaderGone&) {  // nobody reads on
-  }
+  });
 }
 
 }  // namespace hottel

@@ -77,15 +77,12 @@ void write_seen_faces(const std::vector<Point3>& points, const Scene3& scene, co
                       Streams& streams) {
   if (!out.empty() && out != "-" && std::filesystem::path(out).extension() != ".csv")
     throw UsageError("what points in space see is written as .csv, not '" + out + "'");
-  OutputFile file = streams.output(out);  // opened before the work
-  try {
+  streams.write_with(out, [&](OutputFile& file) {
     file.write("point,x,y,z,face,fraction,solid_angle\n");
     const std::size_t in_solids =
         with_file_context(scene.file, [&] { return write_lines(SeenFaces3(scene), points, streams, file); });
     if (in_solids > 0) streams.note("in solids, where nothing is seen, are " + counted(in_solids, "point"));
-    file.commit();
-  } catch (const ReaderGone&) {  // nobody reads on
-  }
+  });
 }
 
 }  // namespace hottel

@@ -36,8 +36,7 @@ void write_graph(const SceneLines& lines, const PreparedScene2& prepared, const 
   const GraphFormat2 format = lines.json    ? GraphFormat2::kJson
                               : lines.exact ? GraphFormat2::kExactCsv
                                             : GraphFormat2::kCsv;
-  OutputFile file = streams.output(lines.out);
-  try {
+  streams.write_with(lines.out, [&](OutputFile& file) {
     with_file_context(lines.scene, [&] {
       GraphWriter2 writer(prepared, format, [&](std::string_view text) { file.write(text); });
       visibility_graph(
@@ -46,9 +45,7 @@ void write_graph(const SceneLines& lines, const PreparedScene2& prepared, const 
       writer.finish();
       streams.note(writer.summary());
     });
-    file.commit();
-  } catch (const ReaderGone&) {  // nobody reads on
-  }
+  });
 }
 
 }  // namespace hottel

@@ -77,9 +77,8 @@ void write_face_sight(const std::string& name, bool is_json, const Simulation3& 
 }
 
 void write_graph_3(const SceneLines& lines, const Simulation3& simulation, const Streams& streams) {
-  OutputFile file = streams.output(lines.out);
-  const auto prepared = simulation.prepared(streams.stages());
-  try {
+  streams.write_with(lines.out, [&](OutputFile& file) {
+    const auto prepared = simulation.prepared(streams.stages());
     with_file_context(lines.scene, [&] {
       const VisibilityGraph3 graph{graph_vertices_3(prepared->scene),
                                    visibility_graph_3(*prepared, streams.progress("visibility graph"))};
@@ -89,9 +88,7 @@ void write_graph_3(const SceneLines& lines, const Simulation3& simulation, const
         write_graph_csv_3(prepared->scene, graph, lines.exact, [&](std::string_view text) { file.write(text); });
       streams.note(graph_summary_3(graph));
     });
-    file.commit();
-  } catch (const ReaderGone&) {  // nobody reads on
-  }
+  });
 }
 
 void require_sense(const EventRequest3& request) {
@@ -110,9 +107,8 @@ void require_sense(const EventRequest3& request) {
 void write_events_3(const EventRequest3& request, const Simulation3& simulation, const Streams& streams) {
   const Scene3& scene = simulation.scene();
   const Face from = face_of(scene, request.from), to = face_of(scene, request.to);
-  OutputFile file = streams.output(request.out);
-  const auto prepared = simulation.prepared(streams.stages());
-  try {
+  streams.write_with(request.out, [&](OutputFile& file) {
+    const auto prepared = simulation.prepared(streams.stages());
     with_file_context(request.scene, [&] {
       for (const Face& face : {from, to}) require_free(*prepared, face);
       const std::vector<EventSurface3> events = event_surfaces(*prepared, from, to);
@@ -123,9 +119,7 @@ void write_events_3(const EventRequest3& request, const Simulation3& simulation,
         request.out.ends_with(".vtp") ? write_events_vtp(events, sink) : write_events_csv_3(scene, events, sink);
       streams.note(events_summary_3(events));
     });
-    file.commit();
-  } catch (const ReaderGone&) {  // nobody reads on
-  }
+  });
 }
 
 void write_exact_forms_3(const std::vector<std::string>& names, const Simulation3& simulation, const Streams& streams,

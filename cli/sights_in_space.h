@@ -19,7 +19,7 @@ void write_face_sight(const std::string& name, bool is_json, const Simulation3& 
 // Writes the pairs of vertices that see each other, and says how many there are.
 void write_graph_3(const SceneLines& lines, const Simulation3& simulation, const Streams& streams);
 
-// What --events is asked of in space.
+// A request of --events in space.
 struct EventRequest3 {
   std::string scene, from, to, out;
   bool json = false, exact = false;

@@ -18,9 +18,13 @@ void print(const std::string& text) noexcept { std::fwrite(text.data(), 1, text.
 Streams::Streams(bool is_quiet) : is_quiet_(is_quiet) {}
 
 void Streams::write(const std::string& option, std::string_view text) const {
+  write_with(option, [text](OutputFile& file) { file.write(text); });
+}
+
+void Streams::write_with(const std::string& option, const std::function<void(OutputFile&)>& work) const {
   OutputFile file = output(option);
   try {
-    file.write(text);
+    work(file);
     file.commit();
   } catch (const ReaderGone&) {  // what else there is to be done is done
   }

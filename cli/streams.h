@@ -23,6 +23,8 @@ class Streams {
 
   // Writes a whole text there, and commits. That nobody reads standard output any more is no reason to stop.
   void write(const std::string& option, std::string_view text) const;
+  // The same with what work writes. The file is opened before the work, which may be long.
+  void write_with(const std::string& option, const std::function<void(OutputFile&)>& work) const;
 
   // A remark on stderr, unless --quiet. Lines; a final newline is added where there is none. An empty
   // text is no remark.

@@ -257,13 +257,10 @@ ExitCode from_points(const VisibilityOptions& options, Streams& streams) {
   const auto prepared = simulation.prepared(streams.stages());
   std::optional<PointLights2> lights;
   if (options.irradiance) lights.emplace(point_lights(simulation, streams.stages()));
-  OutputFile file = streams.output(options.out);
-  try {
+  streams.write_with(options.out, [&](OutputFile& file) {
     with_file_context(options.scene,
                       [&] { write_polygons(request, *prepared, lights ? &*lights : nullptr, streams, file); });
-    file.commit();
-  } catch (const ReaderGone&) {  // nobody reads on
-  }
+  });
   return ExitCode::kDone;
 }
 
