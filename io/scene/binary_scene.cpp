@@ -24,8 +24,8 @@ constexpr std::size_t kHead = kMagic.size() + 2 * sizeof(std::uint32_t);
 
 // What each part of a scene consists of: named once, for those who write and those who read. A change here is another
 // layout.
-template <class T, class Part>
-concept Is = std::same_as<std::remove_const_t<T>, Part>;
+template <class T, class... Parts>
+concept Is = (std::same_as<std::remove_const_t<T>, Parts> || ...);
 
 template <Is<Spectrum> T, class Visit>
 void fields(T& s, Visit& visit) {
@@ -77,7 +77,7 @@ template <Is<Grid2> T, class Visit>
 void fields(T& g, Visit& visit) {
   visit(g.min, g.max, g.nx, g.ny);
 }
-template <Is<LightPath2> T, class Visit>
+template <Is<LightPath2, LightPath3> T, class Visit>
 void fields(T& p, Visit& visit) {
   visit(p.points, p.seconds, p.closed);
 }
@@ -85,13 +85,9 @@ template <Is<LightPlace2> T, class Visit>
 void fields(T& p, Visit& visit) {
   visit(p.position, p.direction, p.turned, p.rotation, p.path);
 }
-template <Is<Point3> T, class Visit>
+template <Is<Point3, Vector3> T, class Visit>
 void fields(T& p, Visit& visit) {
   visit(p.x, p.y, p.z);
-}
-template <Is<Vector3> T, class Visit>
-void fields(T& v, Visit& visit) {
-  visit(v.x, v.y, v.z);
 }
 template <Is<Polygon3> T, class Visit>
 void fields(T& p, Visit& visit) {
@@ -100,10 +96,6 @@ void fields(T& p, Visit& visit) {
 template <Is<Mask3> T, class Visit>
 void fields(T& m, Visit& visit) {
   visit(m.surface, m.base);
-}
-template <Is<LightPath3> T, class Visit>
-void fields(T& p, Visit& visit) {
-  visit(p.points, p.seconds, p.closed);
 }
 template <Is<LightPlace3> T, class Visit>
 void fields(T& p, Visit& visit) {

@@ -22,18 +22,14 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-Point3 at(const Grid3& grid, const Rational& s, const Rational& t) {
-  return {grid.origin.x + s * grid.u.x + t * grid.v.x, grid.origin.y + s * grid.u.y + t * grid.v.y,
-          grid.origin.z + s * grid.u.z + t * grid.v.z};
-}
-
 // The cell as a polygon that looks along u x v.
 Polygon3 cell_polygon(const Grid3& grid, std::size_t cell) {
   const Rational i(static_cast<unsigned long>(cell % grid.nu)), j(static_cast<unsigned long>(cell / grid.nu));
   const Rational nu(grid.nu), nv(grid.nv);
   const Rational s = i / nu, t = j / nv, s_end = (i + 1) / nu, t_end = (j + 1) / nv;
   Polygon3 polygon;
-  polygon.points = {at(grid, s, t), at(grid, s_end, t), at(grid, s_end, t_end), at(grid, s, t_end)};
+  polygon.points = {place_on(grid, s, t), place_on(grid, s_end, t), place_on(grid, s_end, t_end),
+                    place_on(grid, s, t_end)};
   return polygon;
 }
 
@@ -125,15 +121,15 @@ struct BoundedSum {
 // The rows of cells, and what is sent to them.
 class GatheringCells3 {
  public:
-  GatheringCells3(const PreparedScene3& original, const PreparedScene3& prepared, const RadiositySolution& solution,
-                  const ExchangeRequest& asked)
+  GatheringCells3(const PreparedScene3& original, const std::shared_ptr<const PreparedScene3>& prepared,
+                  const RadiositySolution& solution, const ExchangeRequest& asked)
       : original_(original),
         solution_(solution),
-        matrix_(exact_exchange(prepared, asked)),
+        matrix_(exact_exchange(*prepared, asked)),
         senders_(senders(matrix_, original.elements(asked.granularity)->elements())) {
-    if (prepared.scene.lights.empty()) return;
-    const LitElements3 lit(std::make_shared<const PreparedScene3>(prepared), asked.granularity);
-    add_lights(matrix_, prepared.scene.lights, lit.shares(prepared.scene), sources_);
+    const Scene3& scene = prepared->scene;
+    if (scene.lights.empty()) return;
+    add_lights(matrix_, scene.lights, LitElements3(prepared, asked.granularity).shares(scene), sources_);
   }
 
   const ExchangeMatrix& matrix() const { return matrix_; }
@@ -187,7 +183,7 @@ IlluminationGrid3 average_irradiance(const PreparedScene3& prepared, const Radio
   const SceneOfCells3 with_cells(prepared.scene, grid);
   asked.wants_visibility = asked.wants_measures = false;
   asked.rows = RowChoice::of(with_cells.scene, with_cells.prefix + "*", asked.granularity);
-  const PreparedScene3 ready = prepare(with_cells.scene);
+  const auto ready = std::make_shared<const PreparedScene3>(prepare(with_cells.scene));
   const GatheringCells3 gathering(prepared, ready, solution, asked);
 
   IlluminationGrid3 result{grid, static_cast<std::uint32_t>(solution.channels.size()), {}};

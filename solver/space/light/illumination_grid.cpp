@@ -18,11 +18,15 @@ std::optional<double> IlluminationGrid3::max_error() const {
   return *std::ranges::max_element(errors);
 }
 
+Point3 place_on(const Grid3& grid, const Rational& s, const Rational& t) {
+  return {grid.origin.x + s * grid.u.x + t * grid.v.x, grid.origin.y + s * grid.u.y + t * grid.v.y,
+          grid.origin.z + s * grid.u.z + t * grid.v.z};
+}
+
 Point3 cell_centre(const Grid3& grid, std::size_t cell) {
   const Rational s = Rational(2 * (cell % grid.nu) + 1) / Rational(2 * std::size_t{grid.nu});
   const Rational t = Rational(2 * (cell / grid.nu) + 1) / Rational(2 * std::size_t{grid.nv});
-  return {grid.origin.x + s * grid.u.x + t * grid.v.x, grid.origin.y + s * grid.u.y + t * grid.v.y,
-          grid.origin.z + s * grid.u.z + t * grid.v.z};
+  return place_on(grid, s, t);
 }
 
 IlluminationGrid3 light_in_cells(const Grid3& grid, std::uint32_t channels,

@@ -35,6 +35,9 @@ struct IlluminationGrid3 {
   }
 };
 
+// Returns the place s along u and t along v: the origin at 0, 0.
+Point3 place_on(const Grid3& grid, const Rational& s, const Rational& t);
+
 // Returns the centre of a cell, exactly: cells in the order of IlluminationGrid3.
 Point3 cell_centre(const Grid3& grid, std::size_t cell);
 
@@ -49,8 +52,7 @@ IlluminationGrid3 light_in_cells(const Grid3& grid, std::uint32_t channels,
 // radiosity]
 //
 //   (1) what is seen is decided exactly, from the exact centre (VisibilityMap3); solid angles are in doubles. A cell
-//   does not
-//       depend on the others
+//       does not depend on the others
 //   (2) directions to the sky carry its emission; black sides are 0. A centre on a face sees both half spaces
 //   (3) without lights never below the least nor above the largest radiosity seen but for rounding: some 1e-15 of it
 //   (4) the same bits for any number of threads

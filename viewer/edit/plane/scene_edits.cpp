@@ -105,13 +105,6 @@ class Adder {
   Scene2 edited_;
 };
 
-Surface new_surface(std::string name, std::uint32_t material) {
-  Surface surface;
-  surface.name = std::move(name);
-  surface.material = material;
-  return surface;
-}
-
 AddedSurfaces2 add_named_polyline(const Scene2& scene, const std::string& noun, std::span<const Point2> points,
                                   bool closed, std::uint32_t material) {
   HOTTEL_REQUIRE(points.size() >= 2 && material < scene.materials.size());
@@ -119,7 +112,8 @@ AddedSurfaces2 add_named_polyline(const Scene2& scene, const std::string& noun, 
   Adder adder(scene);
   adder.begin_group(name);
   for (std::size_t k = 0; k < points.size() - (closed ? 0 : 1); ++k)
-    adder.add(new_surface(piece_name(name, k), material), {points[k], points[(k + 1) % points.size()]});
+    adder.add(Surface{.name = piece_name(name, k), .material = material, .back = {}},
+              {points[k], points[(k + 1) % points.size()]});
   return std::move(adder).result();
 }
 
@@ -230,7 +224,7 @@ AddedSurfaces2 add_edge(const Scene2& scene, const Edge2& edge, std::uint32_t ma
   const std::string name = FreeNames(scene).numbered("edge");
   Adder adder(scene);
   adder.begin_group(name);
-  adder.add(new_surface(name, material), edge);
+  adder.add(Surface{.name = name, .material = material, .back = {}}, edge);
   return std::move(adder).result();
 }
 

@@ -185,13 +185,6 @@ class Adder3 {
   Scene3 edited_;
 };
 
-Surface plain_surface(std::string name, std::uint32_t material) {
-  Surface surface;
-  surface.name = std::move(name);
-  surface.material = material;
-  return surface;
-}
-
 // "box copy[3]" of "box[3]", where "box" became "box copy"; else a free name of its own.
 std::string name_of_copy(const std::string& name, const std::string& group, const std::string& copy, FreeNames& names) {
   return name.starts_with(group + "[") ? copy + name.substr(group.size()) : names.copy_of(name);
@@ -371,7 +364,7 @@ AddedSurfaces3 add_box(const Scene3& scene, const Point3& low, const Point3& hig
   Adder3 adder(scene);
   adder.begin_group(name);
   const auto add = [&](const char* side, std::vector<Point3> points) {
-    adder.add(plain_surface(name + side, material), {std::move(points)});
+    adder.add(Surface{.name = name + side, .material = material, .back = {}}, {std::move(points)});
   };
   add(".bottom", {at(0, 0, 0), at(0, 1, 0), at(1, 1, 0), at(1, 0, 0)});
   add(".top", {at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)});
@@ -395,7 +388,7 @@ AddedSurfaces3 add_rectangle(const Scene3& scene, const Point3& corner, const Po
   const std::optional<Face> base = base_of(scene, polygon);
   Adder3 adder(scene);
   adder.begin_group(name);
-  const std::uint32_t at = adder.add(plain_surface(name, material), std::move(polygon));
+  const std::uint32_t at = adder.add(Surface{.name = name, .material = material, .back = {}}, std::move(polygon));
   if (base) adder.lay_on(at, {scene.surfaces[base->surface].name, base->is_back});
   return std::move(adder).result();
 }
