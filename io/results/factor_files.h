@@ -59,8 +59,7 @@ enum class DenseQuantity { kFactor, kExchange, kVisibility };
 //
 //   (1) what has no entry is 0; of visibilities NaN, but 0 for the pairs of `hidden`
 //   (2) direct exchange areas are those of the matrix, or A_i F_ij of the doubles where it has none; one that is beyond
-//   the
-//       range of doubles, or below it, throws RequestError before anything is written
+//       the range of doubles, or below it, throws RequestError before anything is written
 //   (3) the row of the sky has no entries
 void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sink& sink);
 

@@ -38,9 +38,8 @@ namespace hottel {
 //   (8) a solution is the same bit for bit for any number of threads and whatever was solved before: it is a function
 //       of the matrix, the reflectivities, the options and the sources
 //   (9) solve() may be called by many threads at once
-//   (10) where sources are withdrawn the system is solved twice, and bounds are subtracted (signed_radiosity.h): (2)
-//   and
-//       (3) then hold of both solutions, not of their difference, which may be below 0
+//   (10) where sources are withdrawn the system is solved twice, and bounds are subtracted (signed_radiosity.h):
+//       (2) and (3) then hold of both solutions, not of their difference, which may be below 0
 //
 //   (11) in two bands the solar one is solved first, and what faces gain in it that keep their gains is a source of the
 //       thermal one (band_gains.h); bounds hold of both together

@@ -13,8 +13,7 @@ namespace hottel {
 // Lines of the levels of a field, one after the other.
 //
 //   (1) no two lines cross or touch, and none crosses itself: those of contour_lines() do not, and what
-//   simplified_line()
-//       makes of them is taken where it does not either
+//       simplified_line() makes of them is taken where it does not either
 //   (2) lines too short to be told from a speck are left out: whose box is less than `least` pixels across
 // COST: that of contour_lines(), and some microseconds a point.
 struct Contour {

@@ -17,8 +17,8 @@ struct PreparedScene3;
 // A part of a surface of lines that touch three edges, or an edge and a vertex, and are free between both faces.
 //
 //   (1) kEV: the lines through a stretch of an edge and a vertex: a plane. kEEE: those through a stretch of an edge
-//   that
-//       meet two other edges: a quadric. At least one of these is of something between the faces, or stands on them
+//       that meet two other edges: a quadric. At least one of these is of something between the faces, or stands on
+//       them
 //   (2) `edge` is the stretch, t from 0 to 1 along it; the lines are those with t from begin to end
 //   (3) `others` of an EEE: two edges, exactly; where surfaces pierce each other, or stand on one, what they share has
 //       no ends here and they are named in `crossing`, ascending

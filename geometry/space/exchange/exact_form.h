@@ -23,8 +23,7 @@ struct ExactForm3 {
 //   (1) there is one where S is 0, and where nothing hides any part and both faces are whole rectangles with sides of
 //       rational length, parallel or at right angles with sides along each other (rectangle_exchange)
 //   (2) no other pair has one here: of two polygons in any other position it takes dilogarithms (Schröder, Hanrahan
-//   1993),
-//       and of what is partly hidden none is known
+//       1993), and of what is partly hidden none is known
 //
 // COST: that of measuring the pair coarsely.
 ExactForm3 exact_form_3(const PreparedScene3& prepared, const Face& from, const Face& to);

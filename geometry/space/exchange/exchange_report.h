@@ -16,8 +16,7 @@ namespace hottel {
 //   (1) pairs: unordered pairs of elements that exchange light, those with the sky among them; enclosed of them have
 //       bounds within the tolerance, the others are estimated
 //   (2) hidden, clear, mixed: unordered pairs of patches by how they were settled (PairVisibility3), of which at least
-//   one has a
-//       row; the sky has six patches. They are not of one surface
+//       one has a row; the sky has six patches. They are not of one surface
 //   (3) maps, pieces, nodes: what was looked at along edges; signs: what settled the signs
 //       proof, where enclosures were asked for: the parts of pieces of edges that were enclosed, how often one was
 //       halved, how many were done again with more digits, how many are left to what can be seen at most; and pairs

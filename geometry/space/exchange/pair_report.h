@@ -28,8 +28,7 @@ struct Estimate3 {
 //   (1) exchange is S, unobstructed is S0, with everything else taken away; of the sky that is the area of the face.
 //       They are what exact_exchange has of the pair, bit for bit, and so are visibility and factors
 //   (2) visibility is S / S0, below 1 whenever something hides a part, above 0 whenever something is seen; nothing
-//   where
-//       S0 is 0. Its error is 0: it is no estimate of its own
+//       where S0 is 0. Its error is 0: it is no estimate of its own
 //   (3) stretches are those of the sum along edges, also where the measure has a closed form: along_edges is their sum.
 //       Of a pair that is hidden there are none
 struct PairReport3 {

@@ -14,8 +14,7 @@ namespace hottel {
 // Encloses the measure of a pair as the sum over its edges of moments times integrals of Lambda.
 //
 //   (1) what is seen is proven on each part of a stretch (StretchMapper3::divide_surely), and so is what the rule of
-//   its
-//       integral may be off (PieceEncloser3)
+//       its integral may be off (PieceEncloser3)
 //   (2) what is not proven, and the gaps between parts, count with all that could be seen there
 //   (3) the bounds hold whatever fails: then they are wide
 //

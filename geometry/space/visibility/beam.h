@@ -48,8 +48,7 @@ std::string beam_problem(const Beam3& beam);
 //       is large; 0 where w is beyond the border, and at a right angle to the axis with a falloff. Both are decided
 //       exactly. [unit: 1 / steradian]
 //   (6) uncut_intensity(w) is the same number wherever w is, though nothing leaves there; but 0 where n > 0 and w is
-//   not
-//       within 90 degrees
+//       not within 90 degrees
 //
 // The border of the beam never needs a tolerance: the cosine squared of whole and broken degrees is rational for
 // multiples of 30 and 45 only (Niven), so what balls do not tell apart is compared as rationals.

@@ -85,8 +85,7 @@ VisibilityMap3 map_from(const Occluders3& occluders, const Look3& look);
 //   (1) as map_from(), with the directions of SunFrame3 in place of those from the eye: the corners of fragments are
 //       such directions, and a polygon along whose plane the rays run hides nothing and is not seen
 //   (2) there are no angles, and where faces are met is left to ExactVisibilityMap3::corners_on_face(): fractions,
-//   factors and
-//       the places of corners are 0
+//       factors and the places of corners are 0
 //
 // Throws ContractViolation where the direction is zero. COST: that of map_from().
 VisibilityMap3 map_of_sun(const Occluders3& occluders, const Vector3& direction);

@@ -11,8 +11,7 @@ namespace hottel {
 // by the view factors from the cell to all elements, as these are told of elements. [unit: that of radiosity]
 //
 //   (1) of a cell that solids cover in part it is the mean over the part that is free; a cell of which nothing is free
-//   is
-//       NaN in every channel, and so is one that sees no face with a material where the scene is closed
+//       is NaN in every channel, and so is one that sees no face with a material where the scene is closed
 //   (2) errors[cell] is proven: no channel's value is farther than this from the real number, for the radiosities as
 //       given (their own bounds are the solution's). It is wide where a factor is estimated, and narrow for all where
 //       the request proves; 0 for NaN

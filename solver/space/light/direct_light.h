@@ -30,9 +30,8 @@ struct LitPart3 {
 // A light in a scene, to be asked for what arrives at points. Values are for the power 1; multiply by P.
 //
 //   (1) mean_irradiance(x) is I / (4 r^2) where the segment from the light to x is free (VisibilityFinder3) and in the
-//   beam,
-//       its border included; else 0. What is free and what is in the beam is decided exactly; the value is off by a few
-//       ulps, and n ulps more for a falloff n.                                       [unit: 1 / area]
+//       beam, its border included; else 0. What is free and what is in the beam is decided exactly; the value is off
+//       by a few ulps, and n ulps more for a falloff n.                                       [unit: 1 / area]
 //   (2) irradiance(x, m) is I cos(m, to the light) / r^2 there, and 0 on the side that looks away. The polygon on which
 //       x lies does not hide it; at edges where polygons meet, what one of them leaves free is free
 //   (3) lit_parts() are the parts of faces with a free way from the light that the beam meets: they share no area, and

@@ -31,8 +31,8 @@ struct PartRun3 {
 // The irradiance of points of faces by the elements and the sky: sum_j F(x, j) B_j.
 //
 //   (1) what is seen is decided exactly, from the exact point (VisibilityMap3); angles are in doubles. Where each
-//   element has
-//       one radiosity the mean over an element is the irradiance that the solution has, but for direct light
+//       element has one radiosity the mean over an element is the irradiance that the solution has, but for direct
+//       light
 //   (2) where radiosity runs over elements, it is summed over parts of them that are so small that this is off by some
 //       thousandth at most, as a rule by much less; that is an estimate. Then nothing jumps at the borders of elements
 //   (3) direct light of lights is not part of it

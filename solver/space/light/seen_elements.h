@@ -20,8 +20,7 @@ enum class Blacks3 : bool { kLeftOut, kListed };
 // The elements on the sides of pieces, to be looked for in what points see.
 //
 //   (1) what is seen is decided exactly, from the exact point (VisibilityMap3); angles are in doubles. Of a face that
-//   is
-//       divided each element has its part
+//       is divided each element has its part
 //   (2) nothing is seen through a solid on whose border a point is
 //   (3) with blacks listed the fractions of what is seen and that of the sky sum to 1 but for rounding, but of a point
 //       on the border of a solid

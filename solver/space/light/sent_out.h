@@ -15,8 +15,7 @@ namespace hottel {
 // The radiosities of elements on the sides of pieces, to be summed over what points see.
 //
 //   (1) what is seen is decided exactly, from the exact point (VisibilityMap3); angles are in doubles. Of a face that
-//   is
-//       divided each element counts by its angle
+//       is divided each element counts by its angle
 //   (2) directions to the sky carry its emission; black sides are 0, and so is what is seen through a solid on whose
 //       border a point is. Direct light of lights is not part of it
 //

@@ -115,9 +115,8 @@ bool are_alike_as_before_3(const std::vector<Material>& before, const std::vecto
 //       radiosities, light and picture where it and all that it is made from are asked for alike; hidden pairs go with
 //       the factors, the estimate of dividing with the radiosities
 //   (4) a scene with other materials that are equal to each other exactly where they were (are_alike_as_before_3)
-//   shares
-//       the factors, and where no reflectivity is another the system too; else it is arranged anew, and takes a copy of
-//       the factors
+//       shares the factors, and where no reflectivity is another the system too; else it is arranged anew, and takes
+//       a copy of the factors
 //   (5) a scene of the same shape shares what is arranged however its surfaces are divided, the factors too where they
 //       are divided alike, and what lights shine on where these stand and shine alike
 //

@@ -63,8 +63,7 @@ struct HidingLaw3 {
 // The laws, in order.
 //
 //   bodies          each body lies on one side of its planes and of its lid, and lines from within it leave it through
-//   one
-//                   surface of it, or through the lid alone: exact
+//                   one surface of it, or through the lid alone: exact
 //   rays            where a ray from a point of polygon 0 arrives first, S is not 0: exact
 //   never first     no ray arrives first at what is never first, from all of polygon 0 and from its quarters: exact
 //   walked          S, S = 0, S = S0 and what could not be told are the same where everything is walked; of

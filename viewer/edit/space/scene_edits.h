@@ -66,8 +66,7 @@ struct AddedSurfaces3 {
 AddedSurfaces3 duplicate_surfaces(const Scene3& scene, std::span<const std::uint32_t> surfaces, const Vector3& way);
 
 // Adds a box along the axes, called "box 1", ..., with fronts outward: a solid, undivided. Its faces are
-// "box 1.bottom",
-// ".top", ".front", ".rear", ".left", ".right". REQUIRES low < high in each coordinate.
+// "box 1.bottom", ".top", ".front", ".rear", ".left", ".right". REQUIRES low < high in each coordinate.
 AddedSurfaces3 add_box(const Scene3& scene, const Point3& low, const Point3& high, std::uint32_t material);
 
 // Adds a rectangle between two opposite corners that have one coordinate in common, called "rectangle 1", .... Its

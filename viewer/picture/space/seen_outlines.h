@@ -20,8 +20,7 @@ inline constexpr double kRoundBend3 = 30;
 // Returns the outlines of what a camera sees: the borders of sides of pieces, where nothing goes on beyond.
 //
 //   (1) what hides what is decided exactly (VisibilityMap3): hidden lines are not there, and parts of lines end where
-//   they are
-//       hidden
+//       they are hidden
 //   (2) at a border a surface goes on where a side of the same group and the same material begins that is seen too, in
 //       one plane with it or bent by at most kRoundBend3. So elements, triangles of a mesh and pieces that a polygon
 //       was cut into have no lines between them; creases, silhouettes, borders of materials and open borders do
