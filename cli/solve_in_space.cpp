@@ -20,6 +20,7 @@
 #include "cli/solve_files.h"
 #include "cli/unit_notes.h"
 #include "cli/views.h"
+#include "cli/volume_files.h"
 #include "geometry/name.h"
 #include "geometry/scene_names.h"
 #include "io/external/space/external_matrix.h"
@@ -53,6 +54,7 @@ namespace {
 void require_grid(const SolveOptions& options, const Scene3& scene) {
   if (options.exr) require_exr("--exr");
   if (!options.views.empty()) require_sense_of_views(options.views, options.illumination);
+  require_sense_of_volumes(options, scene);
   if (!scene.grids.empty()) return;
   if (options.illumination != SolveOptions().illumination)
     throw UsageError("--illumination is of light on a grid, and " + options.scene + " has none");
@@ -90,7 +92,7 @@ GridPicture3 grid_picture_of(const SolveOptions& options, const Scene3& scene) {
           .contours = options.contours};
 }
 
-// The files of light on a grid of the scene, and of what --show has of it.
+// The files of light on a planar grid of the scene, and of what --show has of it.
 struct GridFiles {
   Grid3 grid;
   OutputFile &npy, &sidecar;
@@ -334,10 +336,14 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   SolveFiles files(directory, simulation.scene());
   OutputFile& vtu = files.add("radiosity.vtu");
   std::deque<GridFiles> grid_files;
+  std::deque<VolumeFiles> volume_files;
   for (const Grid3& grid : grids) {
-    require_room_for_light(options, {grid.nu, grid.nv}, channel_count(simulation.scene()), "take a coarser --grid",
-                           directory);
-    grid_files.emplace_back(options, shown, grid, files);
+    require_room_for_light(options, cells_text(grid), grid.cells(), channel_count(simulation.scene()),
+                           "take a coarser --grid", directory);
+    if (grid.is_volume())
+      volume_files.emplace_back(shown, grid, files);
+    else
+      grid_files.emplace_back(options, shown, grid, files);
   }
   std::deque<GridViews> views;
   for (const Grid3& grid : grids) {
@@ -376,6 +382,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
     if (const auto error =
             each.write(simulation, shown, grid_picture_of(options, simulation.scene()), streams, seconds))
       max_error = std::max(max_error.value_or(0), *error);
+  for (VolumeFiles& each : volume_files) each.write(simulation, shown, streams, seconds);
   for (GridViews& each : views)
     write_views_3(*simulation.prepared(), each.grid,
                   {simulation.scene(), factors->matrix, request.factors.granularity, {}, {}},
