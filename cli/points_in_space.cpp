@@ -27,8 +27,8 @@ class LookedAtScene3 {
 
   const Solids3& solids() const { return arrangement_.solids(); }
 
-  SeenFrom3 from(Point3 eye) const {
-    SeenFrom3 seen{std::move(eye), {}, {}};
+  SeenByPoint3 from(Point3 eye) const {
+    SeenByPoint3 seen{std::move(eye), {}, {}};
     seen.solid = solids().around(seen.eye);
     if (seen.solid) return seen;
     VisibilityMap3 map = faces_seen_from(seen.eye, occluders_, arrangement_);
@@ -65,10 +65,10 @@ std::size_t write_all(const SeenRequest3& request, std::size_t count, const Look
   std::size_t in_solids = 0;
   for (std::size_t done = 0; done < count;) {
     std::vector<Point3> points = reader.next(kBatch);
-    std::vector<SeenFrom3> seen(points.size());
+    std::vector<SeenByPoint3> seen(points.size());
     parallel_for(
         points.size(), [&](std::size_t k) { seen[k] = scene.from(std::move(points[k])); }, 4);
-    for (const SeenFrom3& each : seen) {
+    for (const SeenByPoint3& each : seen) {
       writer.add(each);
       in_solids += each.solid ? 1 : 0;
     }

@@ -19,7 +19,7 @@ class SeenCsv final : public SeenWriter3 {
     sink_("point,x,y,z,face,fraction,solid_angle\n");
   }
 
-  void add(const SeenFrom3& seen) override {
+  void add(const SeenByPoint3& seen) override {
     const std::string begin = begin_of(seen.eye);
     std::string text;
     if (!seen.solid)

@@ -86,7 +86,7 @@ class SeenNpz final : public SeenWriter3 {
     begin_.add(std::int64_t{0});
   }
 
-  void add(const SeenFrom3& seen) override {
+  void add(const SeenByPoint3& seen) override {
     for (const Rational* const x : {&seen.eye.x, &seen.eye.y, &seen.eye.z}) points_.add(coordinate(*x));
     solid_.add(seen.solid ? names_.of_solid(*seen.solid) : std::int32_t{-1});
     if (!seen.solid)

@@ -1,7 +1,11 @@
 // What many points of space see as NumPy's .npz: arrays that numpy.load finds by name.
 #pragma once
 
-#include "io/results/space/seen_files.h"
+#include <functional>
+#include <memory>
+#include <string_view>
+
+#include "io/results/space/seen_writer.h"
 
 namespace hottel {
 

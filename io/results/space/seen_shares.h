@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "geometry/scene_names.h"
-#include "io/results/space/seen_files.h"
+#include "io/results/space/seen_writer.h"
 
 namespace hottel {
 

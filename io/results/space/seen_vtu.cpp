@@ -36,7 +36,7 @@ class SeenVtu final : public SeenWriter3 {
         face_(options.folder, "Int32", "face"),
         solid_angle_(options.folder, "Float64", "solid_angle") {}
 
-  void add(const SeenFrom3& seen) override {
+  void add(const SeenByPoint3& seen) override {
     if (!seen.solid)
       for_each_seen(seen.map, [&](const std::optional<Face>& face, double) {
         for (const VisibilityMap3::Fragment& fragment : fragments_of(seen.map, face)) add(seen.map, fragment);

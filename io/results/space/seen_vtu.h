@@ -1,7 +1,11 @@
 // What many points of space see as an unstructured grid of VTK, for ParaView.
 #pragma once
 
-#include "io/results/space/seen_files.h"
+#include <functional>
+#include <memory>
+#include <string_view>
+
+#include "io/results/space/seen_writer.h"
 
 namespace hottel {
 
