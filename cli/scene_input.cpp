@@ -206,6 +206,14 @@ std::array<std::uint32_t, 2> two_numbers(const std::string& option, const std::s
   return numbers_of<2>(option, pattern, text, most);
 }
 
+TexelOption texel_option(const std::string& text) {
+  const auto end = text.rfind('=');
+  if (end == std::string::npos)
+    throw UsageError("--texels takes NAME=NXxNY, a face and how many it has, not '" + text + "'");
+  const auto [nu, nv] = two_numbers("--texels", "NAME=NXxNY", text.substr(end + 1), kMaxGridCells3);
+  return {text.substr(0, end), nu, nv};
+}
+
 Grid2 grid_of(const Scene2& scene, const std::string& option) {
   if (option.empty()) return default_grid(scene);
   const auto [nx, ny] = two_numbers("--grid", "NXxNY", option, kMaxGridCells);

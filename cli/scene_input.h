@@ -88,6 +88,14 @@ std::vector<std::string> parts_at_commas(const std::string& text);
 std::array<std::uint32_t, 2> two_numbers(const std::string& option, const std::string& pattern, const std::string& text,
                                          std::uint32_t most);
 
+// What --texels NAME=NXxNY asks for: a face, by its name, and how many texels along its two sides.
+struct TexelOption {
+  std::string name;
+  std::uint32_t nu = 1, nv = 1;
+};
+// Throws UsageError for anything else.
+TexelOption texel_option(const std::string& text);
+
 // The grid of an option --grid, "400x300" cells over the region of the scene's own grid or else of its surfaces;
 // without the option that of default_grid. Throws UsageError for anything but two numbers from 1 to kMaxGridCells.
 Grid2 grid_of(const Scene2& scene, const std::string& option);
