@@ -252,8 +252,10 @@ std::vector<Grid3> grids_of(const Scene3& scene, const std::string& option) {
         "\"u\": [x, y, z], \"v\": [x, y, z], \"cells\": [N, N]} to it, which says where light is wanted");
   const bool is_of_volumes = std::ranges::count(option, 'x') == 2;
   if (std::ranges::none_of(grids, [&](const Grid3& grid) { return grid.is_volume() == is_of_volumes; }))
-    throw UsageError(is_of_volumes ? "--grid NXxNYxNZ divides volumes, and the scene has planar grids alone"
-                                   : "--grid NXxNY divides planar grids, and the scene has volumes alone: NXxNYxNZ");
+    throw UsageError(
+        is_of_volumes
+            ? "--grid NXxNYxNZ divides volumes, and the scene has planar grids alone"
+            : "--grid NXxNY divides planar grids, and the scene has volumes alone, which --grid NXxNYxNZ divides");
   is_of_volumes ? divide_volumes(grids, option) : divide_planar_grids(grids, option);
   return grids;
 }

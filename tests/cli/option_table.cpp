@@ -877,7 +877,7 @@ const std::vector<OptionEntry>& option_entries() {
         {"hottel visibility $S --points p.csv --from bottom --to top", "excludes"},
         {"hottel visibility $S --points p.csv --json", "excludes"},
         {"echo 1,1,1 | hottel visibility $C --points - --irradiance", "--irradiance is of points in the plane"},
-        {"echo 1,1,1 | hottel visibility $C --points - -o p.npz", "what points in space see is written as .csv"},
+        {"echo 1,1,1 | hottel visibility $C --points - -o p.wkt", "is written as .csv, .npz or .vtu"},
         {"echo 3,1 | hottel visibility $S --points - -o p.svg",
          "polygons are written as .csv, .geojson, .wkt or .npz"}}},
       {"visibility",

@@ -94,6 +94,23 @@ TEST(VolumeLight, HasPlanarGridsAsItsLayers) {
   }
 }
 
+// A tetrahedron, x + y + z < 1, in the open.
+TEST(VolumeLight, IsNoneInSolids) {
+  const Scene3 scene = parse_scene_3(
+      R"({"hottel": 1, "dimension": 3, "materials": {"m": {"emission": 1}}, "polygons": [
+        {"name": "a", "group": "t", "points": [[0,0,0],[0,1,0],[1,0,0]], "material": "m"},
+        {"name": "b", "group": "t", "points": [[0,0,0],[1,0,0],[0,0,1]], "material": "m"},
+        {"name": "c", "group": "t", "points": [[0,0,0],[0,0,1],[0,1,0]], "material": "m"},
+        {"name": "d", "group": "t", "points": [[1,0,0],[0,1,0],[0,0,1]], "material": "m"}]})",
+      "solid.json");
+  const Grid3 grid = volume({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {4, 4, 4});
+  const IlluminationGrid3 light = light_in(scene, grid);
+  for (std::size_t cell = 0; cell < grid.cells(); ++cell) {
+    const Point3 centre = cell_centre(grid, cell);
+    EXPECT_EQ(std::isnan(light.values[cell]), centre.x + centre.y + centre.z < 1) << cell;
+  }
+}
+
 oracle::SpacePolygon corners(const Polygon3& polygon) {
   oracle::SpacePolygon result;
   for (const Point3& p : polygon.points) result.push_back({p.x, p.y, p.z});
