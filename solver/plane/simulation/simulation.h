@@ -49,7 +49,7 @@ struct PreparedScene2;
 //         rows          grid, memory: what the cells see (light_rows.h), after the arrangement
 //         light         grid, kind of light. Made from rows where they are kept: the same bits
 //         picture       painter
-//         dividing      nothing else than radiosities
+//         dividing      only what changes the radiosities
 //         plan, lost_light, check    anything in the scene, and what they look at: the grid, factors
 //   (2) every value is a function of scene and request: bit for bit that of a new simulation of the same scene, also
 //       after it was written and read again, whatever was edited, asked or cancelled before, on any number of threads.
