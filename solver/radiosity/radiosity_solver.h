@@ -68,7 +68,7 @@ class RadiositySolver {
   RadiositySolver& operator=(RadiositySolver&&) noexcept;
 
   const ExchangeMatrix& matrix() const;
-  // Seconds that the constructor took for the systems. Those of a solution are of its call alone.
+  // Seconds that the constructor took. Those of a solution are of its call alone, and count its factorizations.
   double seconds() const;
 
   // Throws RequestError when
