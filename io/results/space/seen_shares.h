@@ -27,7 +27,8 @@ void for_each_seen(const VisibilityMap3& map, const Take& take) {
 inline std::span<const VisibilityMap3::Fragment> fragments_of(const VisibilityMap3& map,
                                                               const std::optional<Face>& face) {
   if (!face) return {};
-  const auto [begin, end] = std::ranges::equal_range(map.fragments, *face, {}, &VisibilityMap3::Fragment::face);
+  const auto begin = std::ranges::lower_bound(map.fragments, *face, {}, &VisibilityMap3::Fragment::face);
+  const auto end = std::ranges::upper_bound(map.fragments, *face, {}, &VisibilityMap3::Fragment::face);
   return {begin, end};
 }
 
