@@ -72,7 +72,7 @@ void require_effect(const CompareOptions& options, const MethodCatalogue<Prepare
     has_parameter = has_parameter || method->info().parameter > 0;
   }
   if (options.plot_x == PlotX::kElements || options.plot_y == ErrorKind::kFaceRadiosity)
-    throw UsageError("elements along x and errors of faces along y need --divide");
+    throw UsageError("a plot of elements along x, or of errors of faces along y, needs --divide");
   if (options.plot_x == PlotX::kParameter && !has_parameter)
     throw UsageError(
         "--plot-x parameter needs a method with a number of rays, points or pixels, like rays:N or hemicube:R, and "

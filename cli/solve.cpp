@@ -248,7 +248,7 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
   if (options.outlines || options.no_outlines)
     throw UsageError("--outlines and --no-outlines are for scenes in space: in the plane walls are lines");
   if (!request.shown.is_light() && options.contours > 0)
-    throw UsageError("--contours are of --show light: " + options.show + " is on the faces alone");
+    throw UsageError("--contours needs --show light: " + options.show + " is on the faces alone");
   if (options.shading == "gathered") throw UsageError("--shading gathered is for scenes in space");
   if (!options.texels.empty()) throw UsageError("--texels is for scenes in space");
   if (renders_array(options))

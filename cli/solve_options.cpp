@@ -71,7 +71,7 @@ Shown shown_of(const SolveOptions& options) {
   if (!options.channel.empty()) choose_channel(shown, options.channel);
   const SolveOptions usual;
   if (!shown.is_light() && (options.tone || options.exposure != usual.exposure))
-    throw UsageError("--tone and --exposure are of --show light: " + options.show + " has a scale");
+    throw UsageError("--tone and --exposure need --show light: " + options.show + " has a scale");
   require_render(options, shown);
   return shown;
 }

@@ -58,8 +58,9 @@ class MethodComparison {
   // throws is passed on.
   //
   //   (1) info.guarantee is what the method says of itself, or what all its factors on this scene have where that is
-  //   more (2) max_radiosity_error is nothing where there is no exact solution; it is infinite, and a note says why,
-  //       where the method's matrix has none though there is an exact one
+  //       more
+  //   (2) max_radiosity_error is nothing where there is no exact solution; it is infinite, and a note says why, where
+  //       the method's matrix has none though there is an exact one
   // Throws RequestError when the method cannot be run on the scene. COST: the runs, and one solution of its matrix.
   MethodResult run(const ExchangeMethod<Prepared>& method, const std::optional<int>& runs = {},
                    const std::function<void(double)>& progress = {}) const {
