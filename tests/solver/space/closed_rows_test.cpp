@@ -12,6 +12,7 @@
 
 #include "geometry/space/exchange/exchange.h"
 #include "geometry/space/generate/generators.h"
+#include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "solver/radiosity/radiosity.h"
