@@ -185,7 +185,7 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
   const std::vector<NamedMethod> radiosity_files = take_radiosity_files(named);
   if (named.empty() ||
       ((!options.grid_file.empty() || !options.texels.empty()) && options.methods.empty() && !options.sweep))
-    named = {NamedMethod{kExactFamily, ""}};
+    named = {NamedMethod{kExactFamily, ""}}, options.has_own_method = true;
   const auto methods = methods_to_run(methods_there_are, named);
   require_effect(options, methods_there_are, methods, radiosity_files);
 

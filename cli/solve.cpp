@@ -129,8 +129,8 @@ Simulation2 simulation_of(const SolveOptions& options, Scene2 scene, Request req
   request.simulation.lights = light_test_of(options, scene);
   const Grid2 grid = grid_of(scene, options.grid);
   if (request.simulation.wants_light)
-    require_room_for_light(options, {grid.nx, grid.ny}, channel_count(scene), "take a coarser --grid",
-                           request.directory);
+    require_room_for_light(options, cells_text(grid), std::uint64_t{grid.nx} * grid.ny, channel_count(scene),
+                           "take a coarser --grid", request.directory);
   request.simulation.grid = grid;
   request.simulation.method = all_methods_2().make(options.method);
   request.simulation.store = options.store.open(options.method);

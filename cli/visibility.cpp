@@ -44,7 +44,7 @@ namespace {
 
 struct VisibilityOptions {
   std::string scene, at, on, from, to, out, points, range, edge, face, side = "both";
-  bool json = false, exact = false, irradiance = false, events = false, graph = false;
+  bool json = false, exact = false, irradiance = false, events = false, graph = false, pieces = false;
   PolygonOptions polygons;
   GuaranteeOption guarantee;
 
@@ -220,6 +220,7 @@ void write_polygons(const PolygonRequest& request, const PreparedScene2& prepare
 ExitCode light_at_points(const VisibilityOptions& options, OrientedPointsInput input, Streams& streams) {
   for (const auto& [is_given, option] : {std::pair(!options.range.empty(), "--range"),
                                          {options.exact, "--exact"},
+                                         {options.pieces, "--pieces"},
                                          {options.side != VisibilityOptions().side, "--side"}})
     if (is_given) throw UsageError(std::string(option) + " is of polygons; points with normals have none");
   if (options.guarantee.asked)
@@ -236,12 +237,11 @@ ExitCode faces_at_points(const VisibilityOptions& options, const std::string& te
                                          {options.irradiance, "--irradiance"},
                                          {options.side != VisibilityOptions().side, "--side"}})
     if (is_given) throw UsageError(std::string(option) + " is of points in the plane; these have three coordinates");
-  const std::vector<Point3> points = read_points_3(text, name);
   const Scene scene = read_scene_noting(options.scene, options.polygons, streams);
   const auto* const space = std::get_if<Scene3>(&scene);
   if (space == nullptr)
     throw InputError({name, 0}, "points have three coordinates, and " + options.scene + " is in the plane");
-  write_seen_faces(points, *space, options.out, options.guarantee.must_be_enclosed(), streams);
+  write_seen_faces({text, name, options.out, options.pieces, options.guarantee.must_be_enclosed()}, *space, streams);
   return ExitCode::kDone;
 }
 
@@ -254,6 +254,7 @@ ExitCode from_points(const VisibilityOptions& options, Streams& streams) {
   options.guarantee.refuse_in_plane();
   if (options.polygons.triangulates)
     throw UsageError("--triangulate cuts polygons in space; points without normals are of the plane");
+  if (options.pieces) throw UsageError("--pieces are of what points in space see; these are of the plane");
   const PolygonRequest request = polygon_request(options, text, name);
   note_passed_over(request.passed_over, streams);
   const Simulation2 simulation = simulation_of(options, streams);
@@ -447,9 +448,8 @@ void add_visibility(Commands& commands) {
   CLI::Option* points = command.add_option(
       "--points", options->points,
       "points, one visibility polygon each: csv of lines x,y, GeoJSON or well-known text; - is standard input. In "
-      "space lines x,y,z: the faces that each sees, with their solid angles, as csv. Of a "
-      "csv "
-      "with normals (first line x,y,nx,ny, in space x,y,z,nx,ny,nz) the irradiance, sky view factor and mean radiant "
+      "space lines x,y,z: the faces that each sees, with their solid angles, as .csv, .npz or .vtu. Of a csv with "
+      "normals (first line x,y,nx,ny, in space x,y,z,nx,ny,nz) the irradiance, sky view factor and mean radiant "
       "temperature at each, as csv");
   points->type_name("FILE");
   points->excludes(at)->excludes(on)->excludes(from)->excludes(to)->excludes(json);
@@ -467,6 +467,11 @@ void add_visibility(Commands& commands) {
   command
       .add_flag("--irradiance", options->irradiance,
                 "with --points: the mean irradiance at each, for which the scene is solved")
+      ->needs(points);
+  command
+      .add_flag(
+          "--pieces", options->pieces,
+          "with --points in space to a .npz: of each face the pieces that are seen of it (a .vtu always has them)")
       ->needs(points);
   CLI::Option* edge = command.add_option("--edge", options->edge, "a face: what some point of it sees");
   edge->type_name("NAME");
@@ -491,7 +496,8 @@ void add_visibility(Commands& commands) {
   command
       .add_option("-o", options->out,
                   "draw it: .png, .svg or .pdf; the answer in short is on stderr then. With --points the polygons: "
-                  ".csv, .geojson, .wkt or .npz; with --events and --graph a .csv, with --events in space also a .vtp "
+                  ".csv, .geojson, .wkt or .npz, in space .csv, .npz or .vtu; with --events and --graph a .csv, with "
+                  "--events in space also a .vtp "
                   "or a drawing. "
                   "Without it, or with -, the answer "
                   "is on standard "

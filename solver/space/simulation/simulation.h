@@ -82,7 +82,8 @@ class LightPainter3 {
   virtual LightPicture3 paint(const IlluminationGrid3& light) const = 0;
 };
 
-// Where light between the faces is asked for, and who draws it; painters are alike when they are the same object.
+// Where light between the faces is asked for, on a planar grid or in a volume, and who draws it; painters are alike
+// when they are the same object.
 struct LightRequest3 {
   std::optional<Grid3> grid = {};                          // nothing: the first of the scene
   std::shared_ptr<const LightPainter3> painter = nullptr;  // null: no picture can be asked for
@@ -131,7 +132,7 @@ bool are_alike_as_before_3(const std::vector<Material>& before, const std::vecto
 class Simulation3 {
  public:
   // Throws InputError naming file, line and surface unless the scene is valid (validate). This and with_request() throw
-  // UsageError where the request's grid is not valid (grid_problem).
+  // UsageError where the request's grid is not valid (grid_problem), or averages are asked for in a volume.
   explicit Simulation3(Scene3 scene, SimulationRequest3 request = {});
   Simulation3 with_request(const SimulationRequest3& request) const;
   // The scene with these materials in place of its own, of the same names. Throws InputError as the constructor,
@@ -155,7 +156,7 @@ class Simulation3 {
   std::shared_ptr<const RadiositySolver> system(const StageProgress& progress = {}) const;
   std::shared_ptr<const RadiositySolution> radiosities(const StageProgress& progress = {}) const;
   std::shared_ptr<const DividingEstimate> dividing(const StageProgress& progress = {}) const;
-  // REQUIRES a grid, and picture() a painter in the request; both throw ContractViolation otherwise.
+  // REQUIRES a grid, and picture() a planar one and a painter in the request; both throw ContractViolation otherwise.
   std::shared_ptr<const IlluminationGrid3> light(const StageProgress& progress = {}) const;
   std::shared_ptr<const LightPicture3> picture(const StageProgress& progress = {}) const;
   // The pairs that are hidden (hidden_pairs of exchange.h).
