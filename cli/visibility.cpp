@@ -223,6 +223,8 @@ ExitCode light_at_points(const VisibilityOptions& options, OrientedPointsInput i
                                          {options.pieces, "--pieces"},
                                          {options.side != VisibilityOptions().side, "--side"}})
     if (is_given) throw UsageError(std::string(option) + " is of polygons; points with normals have none");
+  if (options.guarantee.asked)
+    throw UsageError("--guarantee is of what points see; the light at points with normals has no proven bounds");
   write_oriented_light(input, read_scene_noting(options.scene, options.polygons, streams), streams);
   return ExitCode::kDone;
 }
@@ -239,7 +241,7 @@ ExitCode faces_at_points(const VisibilityOptions& options, const std::string& te
   const auto* const space = std::get_if<Scene3>(&scene);
   if (space == nullptr)
     throw InputError({name, 0}, "points have three coordinates, and " + options.scene + " is in the plane");
-  write_seen_faces({text, name, options.out, options.pieces}, *space, streams);
+  write_seen_faces({text, name, options.out, options.pieces, options.guarantee.must_be_enclosed()}, *space, streams);
   return ExitCode::kDone;
 }
 
@@ -249,6 +251,7 @@ ExitCode from_points(const VisibilityOptions& options, Streams& streams) {
   const std::string text = is_standard_input ? read_standard_input() : read_text_file(options.points);
   if (names_normals(text)) return light_at_points(options, {text, name, options.scene, options.out}, streams);
   if (are_points_3(text)) return faces_at_points(options, text, name, streams);
+  options.guarantee.refuse_in_plane();
   if (options.polygons.triangulates)
     throw UsageError("--triangulate cuts polygons in space; points without normals are of the plane");
   if (options.pieces) throw UsageError("--pieces are of what points in space see; these are of the plane");
@@ -481,7 +484,7 @@ void add_visibility(Commands& commands) {
       "see of each other changes, by some of their lines: csv, with -o also .vtp, or drawn where they meet B");
   CLI::Option* graph = command.add_flag("--graph", options->graph, "all pairs of vertices that see each other");
   CLI::Option* guarantee = options->guarantee.add_to(command, "what a point sees has proven bounds; ");
-  for (CLI::Option* other : {points, edge, face, events, graph}) guarantee->excludes(other);
+  for (CLI::Option* other : {edge, face, events, graph}) guarantee->excludes(other);
   for (CLI::Option* other : {at, on, from, to, points}) {
     edge->excludes(other);
     face->excludes(other);

@@ -16,16 +16,18 @@ class SeenCsv final : public SeenWriter3 {
  public:
   SeenCsv(const SeenFileOptions3& options, std::function<void(std::string_view)> sink)
       : scene_(options.scene), sink_(std::move(sink)) {
-    sink_("point,x,y,z,face,fraction,solid_angle\n");
+    sink_(options.has_bounds ? "point,x,y,z,face,fraction,lower,upper,solid_angle\n"
+                             : "point,x,y,z,face,fraction,solid_angle\n");
   }
 
   void add(const SeenByPoint3& seen) override {
     const std::string begin = begin_of(seen.eye);
     std::string text;
     if (!seen.solid)
-      for_each_seen(seen.map, [&](const std::optional<Face>& face, double fraction) {
-        text += begin + (face ? csv_field(face_name(scene_, *face)) : "sky") + "," + shortest(fraction) + "," +
-                shortest(solid_angle_of(fraction)) + "\n";
+      for_each_seen(seen, [&](const std::optional<Face>& face, double fraction, const Enclosure* bounds) {
+        text += begin + (face ? csv_field(face_name(scene_, *face)) : "sky") + "," + shortest(fraction);
+        if (bounds) text += "," + shortest(bounds->lower) + "," + shortest(bounds->upper);
+        text += "," + shortest(solid_angle_of(fraction)) + "\n";
       });
     sink_(text);
     ++points_;

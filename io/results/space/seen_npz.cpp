@@ -82,6 +82,7 @@ class SeenNpz final : public SeenWriter3 {
         face_(options.folder, "face", "<i4"),
         solid_angle_(options.folder, "solid_angle", "<f8"),
         solid_(options.folder, "solid", "<i4") {
+    if (options.has_bounds) bounds_.emplace(options.folder, "fraction_bounds", "<f8", 2);
     if (options.has_pieces) pieces_.emplace(options.folder);
     begin_.add(std::int64_t{0});
   }
@@ -90,9 +91,11 @@ class SeenNpz final : public SeenWriter3 {
     for (const Rational* const x : {&seen.eye.x, &seen.eye.y, &seen.eye.z}) points_.add(coordinate(*x));
     solid_.add(seen.solid ? names_.of_solid(*seen.solid) : std::int32_t{-1});
     if (!seen.solid)
-      for_each_seen(seen.map, [&](const std::optional<Face>& face, double fraction) {
+      for_each_seen(seen, [&](const std::optional<Face>& face, double fraction, const Enclosure* bounds) {
         face_.add(names_.of(face));
         solid_angle_.add(solid_angle_of(fraction));
+        if (bounds_ && bounds)
+          for (const double bound : {bounds->lower, bounds->upper}) bounds_->add(bound);
         if (pieces_) pieces_->add(seen.map, fragments_of(seen.map, face));
       });
     begin_.add(static_cast<std::int64_t>(face_.rows()));
@@ -103,6 +106,7 @@ class SeenNpz final : public SeenWriter3 {
     for (SpooledArray* const array : {&points_, &begin_, &face_, &solid_angle_}) array->write_into(zip);
     zip.add("names.npy", npy_of_texts(names_.all()));
     solid_.write_into(zip);
+    if (bounds_) bounds_->write_into(zip);
     if (pieces_) pieces_->write_into(zip);
     zip.finish();
   }
@@ -117,6 +121,7 @@ class SeenNpz final : public SeenWriter3 {
   SeenNames3 names_;
   std::function<void(std::string_view)> sink_;
   SpooledArray points_, begin_, face_, solid_angle_, solid_;
+  std::optional<SpooledArray> bounds_;
   std::optional<PieceArrays> pieces_;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -15,12 +16,17 @@ namespace hottel {
 
 inline double solid_angle_of(double fraction) { return 4 * std::numbers::pi * fraction; }
 
-// Calls take(face, fraction) for each face that is seen, by the order of faces, and last for the sky without a face.
+// Calls take(face, fraction, bounds) for each face that is seen, by the order of faces, and last for the sky without a
+// face; bounds: null where there are none.
 template <class Take>
-void for_each_seen(const VisibilityMap3& map, const Take& take) {
+void for_each_seen(const SeenByPoint3& seen, const Take& take) {
   constexpr double kNothing = 1e-14;  // what rounding makes of a sky that is not seen
-  for (const VisibilityMap3::Share& share : map.shares) take(std::optional(share.face), share.fraction);
-  if (map.sky_fraction > kNothing) take(std::optional<Face>(), map.sky_fraction);
+  const VisibilityMap3& map = seen.map;
+  for (std::size_t k = 0; k < map.shares.size(); ++k)
+    take(std::optional(map.shares[k].face), map.shares[k].fraction,
+         seen.bounds ? &seen.bounds->shares[k].fraction : nullptr);
+  if (map.sky_fraction > kNothing)
+    take(std::optional<Face>(), map.sky_fraction, seen.bounds ? &seen.bounds->sky_fraction : nullptr);
 }
 
 // The fragments of a face; none of the sky.

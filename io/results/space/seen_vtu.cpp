@@ -38,7 +38,7 @@ class SeenVtu final : public SeenWriter3 {
 
   void add(const SeenByPoint3& seen) override {
     if (!seen.solid)
-      for_each_seen(seen.map, [&](const std::optional<Face>& face, double) {
+      for_each_seen(seen, [&](const std::optional<Face>& face, double, const Enclosure*) {
         for (const VisibilityMap3::Fragment& fragment : fragments_of(seen.map, face)) add(seen.map, fragment);
       });
     ++points_;

@@ -8,6 +8,7 @@
 #include "geometry/space/arrangement/solids.h"
 #include "geometry/space/point.h"
 #include "geometry/space/scene/scene.h"
+#include "geometry/space/visibility/point_bounds.h"
 #include "geometry/space/visibility/visibility_map.h"
 
 namespace hottel {
@@ -18,6 +19,7 @@ struct SeenByPoint3 {
   Point3 eye;
   std::optional<std::uint32_t> solid;
   VisibilityMap3 map;
+  std::optional<PointBounds3> bounds;  // of the shares of the map, in their order
 };
 
 // What all points of a file have in common.
@@ -25,6 +27,7 @@ struct SeenFileOptions3 {
   const Scene3& scene;
   const Solids3& solids;
   bool has_pieces = false;             // the arrays have those of each face too; a .vtu always has them, a .csv never
+  bool has_bounds = false;             // of what every point sees; never in a .vtu
   std::filesystem::path folder = ".";  // where arrays are put aside until their lengths are known
 };
 
