@@ -94,16 +94,18 @@ class Entries {
   std::vector<double> measures_;
 };
 
-// All elements, those that lie near each other one after another: what they ask of their partners is in
-// the cache then.
-std::vector<std::uint32_t> labels_by_place(const ElementTable2& table, const Arrangement2& arrangement) {
+// The elements in whose rows sums stand, those that lie near each other one after another: what they ask of their
+// partners is in the cache then.
+std::vector<std::uint32_t> labels_by_place(const PairSums2& sums, const ElementTable2& table,
+                                           const Arrangement2& arrangement) {
   std::vector<std::uint32_t> rank(arrangement.vertices().size());
   std::uint32_t next = 0;
   for (const VertexId v : arrangement.triangulation().sweep_order()) rank[v.index()] = next++;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> placed;
   placed.reserve(table.count());
   for (std::uint32_t label = 0; label < table.count(); ++label)
-    placed.emplace_back(table.runs(label).empty() ? next : rank[table.runs(label).front().a.index()], label);
+    if (!sums.row(label).empty())
+      placed.emplace_back(table.runs(label).empty() ? next : rank[table.runs(label).front().a.index()], label);
   std::ranges::sort(placed);
   std::vector<std::uint32_t> labels;
   labels.reserve(placed.size());
@@ -182,7 +184,7 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeRequ
   Entries entries(sums, table, request.wants_measures);
   std::vector<OpenPair> open;
   std::mutex together;
-  const std::vector<std::uint32_t> labels = labels_by_place(table, arrangement);
+  const std::vector<std::uint32_t> labels = labels_by_place(sums, table, arrangement);
   parallel_ranges(labels.size(), 16, [&](std::size_t begin, std::size_t end) {
     TierCounts some;
     std::vector<OpenPair> left;

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "geometry/plane/exchange/gap_terms.h"
+#include "geometry/plane/exchange/swept_vertices.h"
 
 namespace hottel {
 namespace {
@@ -46,8 +47,8 @@ PairSums2 sum_visible_pairs(const Arrangement2& arrangement, const ElementTable2
                             const std::function<void(double)>& progress, std::uint64_t most_pairs, SumCounts2& counts,
                             SweepParts2* parts) {
   const std::size_t label_count = table.covered() + 1;
-  return {sum_terms<PairSum2>(arrangement.triangulation().sweep_order(), label_count, Sweep(arrangement, table),
-                              progress, most_pairs, counts, parts),
+  const std::vector<VertexId> order = swept_vertices(arrangement, table);
+  return {sum_terms<PairSum2>(order, label_count, Sweep(arrangement, table), progress, most_pairs, counts, parts),
           table.count()};
 }
 
