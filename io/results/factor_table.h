@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
+#include "geometry/row_ranges.h"
 #include "geometry/scene_table.h"
 
 namespace hottel {
@@ -28,6 +29,8 @@ struct FactorTable {
   bool has_areas = false;                // the list of pairs has the areas of both
   // The most significant digits of numbers in csv (short_digits); nothing: as many as tell the doubles.
   std::optional<int> digits = {};
+  // Where there are some, `matrix` is theirs, and files that list pairs load one range after another.
+  RowRanges* ranges = nullptr;
 };
 
 }  // namespace hottel
