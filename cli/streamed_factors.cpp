@@ -60,7 +60,8 @@ void add_rows(const FactorsOptions& options, Streamed& streamed) {
 
 std::unique_ptr<Streamed> streamed_rows(const FactorsOptions& options, const Simulation2& simulation,
                                         const Streams& streams) {
-  require_memory(simulation.scene(), {.granularity = options.per()}, options.memory);
+  require_memory(simulation.scene(), {.granularity = options.per(), .pairs_on_disk = options.has_sums_on_disk()},
+                 options.memory);
   auto result = std::make_unique<Streamed>();
   result->prepared = simulation.prepared(streams.stages());
   result->request = {.granularity = options.per(),

@@ -19,8 +19,8 @@ namespace hottel {
 //   (1) the value does not depend on the number of threads: 128-bit integer addition is associative
 //   (2) sum over j of value(i, j) == 2 length(i) to the last bit, for every label i that has a row: each length enters
 //       a row with coefficients that cancel, but for the lengths on i itself
-// COST: parallel; one sweep about each of the swept_vertices(), and 32 bytes a term in flight, 43 to 85 bytes a pair, and
-// 32 in the end.
+// COST: parallel; one sweep about each of the swept_vertices(), and 32 bytes a term in flight, 43 to 85 bytes a pair,
+// and 32 in the end.
 // `progress` is called from time to time with the fraction done and may throw to stop.
 //
 // Throws RequestError when the pairs become more than `most_pairs`. parts: as of sum_terms(), in the order of

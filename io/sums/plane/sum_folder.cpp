@@ -29,8 +29,7 @@ namespace fs = std::filesystem;
 constexpr const char* kEnding = ".sums";
 // Another one wherever sums of the same scene are others, or in another order, than before.
 constexpr const char* kKind = "plane sums 1";
-// In tables of sums, and in a file: a pair is in the rows of two ranges, and in a fifth more chunks than one.
-constexpr std::uint64_t kBytesInTable = 96, kBytesOnDisk = 80;
+constexpr std::uint64_t kBytesInTable = 96;  // of a sum, while it is summed up
 
 fs::path place_of(const SumFolderRequest& asked) {
   return asked.stays ? asked.folder : asked.folder / fmt::format("hottel-sums-{}", getpid());
@@ -56,7 +55,7 @@ std::vector<PairSum2> added(const std::vector<PairSum2>& a, const std::vector<Pa
 
 }  // namespace
 
-std::uint64_t disk_for_sums(std::uint64_t pairs) { return pairs * kBytesOnDisk; }
+std::uint64_t disk_for_sums(std::uint64_t pairs) { return pairs * kBytesOfSumOnDisk; }
 
 std::size_t ranges_for_sums(std::uint64_t pairs, std::uint64_t memory) {
   constexpr std::uint64_t kMost = 256;
