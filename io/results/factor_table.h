@@ -8,10 +8,11 @@
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
-#include "geometry/row_ranges.h"
 #include "geometry/scene_table.h"
 
 namespace hottel {
+
+class RowRanges;
 
 // Takes text piece by piece; whatever it throws stops the writing.
 using Sink = std::function<void(std::string_view)>;

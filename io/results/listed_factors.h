@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/row_ranges.h"
 #include "io/results/factor_table.h"
 
 namespace hottel {

@@ -125,8 +125,8 @@ void ExactRows2::require_closed_rows(const Range& range) const {
 void ExactRows2::settle(ExchangeReport& report) {
   const auto key = [](const Open& open) { return open.sum.key; };
   std::ranges::sort(open_, {}, key);
-  const auto twice = std::ranges::unique(open_, {}, key);
-  open_.erase(twice.begin(), twice.end());
+  const auto is_same = [](const Open& a, const Open& b) { return a.sum.key == b.sum.key; };
+  open_.erase(std::unique(open_.begin(), open_.end(), is_same), open_.end());
   std::vector<ElementPair> pairs;
   for (const Open& open : open_) pairs.emplace_back(open.sum.i(), open.sum.j());
   const std::vector<RootSum> sums = exact_sums(prepared_.arrangement, table_, pairs);

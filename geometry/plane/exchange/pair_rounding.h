@@ -26,8 +26,12 @@ struct RoundedPair2 {
   // An element that sees one thing only sees it with factor 1, by closure: no arithmetic is needed to know it. is_...:
   // whether the row of i, of j, has no other pair.
   void settle_by_closure(bool is_only_of_i, bool is_only_of_j) {
-    if (is_forth_open && is_only_of_i) forth = {1.0, 0}, is_forth_open = false;
-    if (is_back_open && is_only_of_j) back = {1.0, 0}, is_back_open = false;
+    const auto settle = [](Rounded& factor, bool& is_factor_open) {
+      if (is_factor_open) factor = {1.0, 0};
+      is_factor_open = false;
+    };
+    if (is_only_of_i) settle(forth, is_forth_open);
+    if (is_only_of_j) settle(back, is_back_open);
   }
 };
 
