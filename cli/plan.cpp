@@ -13,6 +13,7 @@
 #include "geometry/plane/prepared/element_table.h"
 #include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
+#include "io/sums/plane/sum_folder.h"
 #include "kernel/support/failure.h"
 #include "solver/plan_speed.h"
 #include "solver/plane/scene_plan.h"
@@ -60,16 +61,22 @@ bool is_had(const std::optional<PlannedMemory>& memory) {
 
 // Of as many pairs as vertices that are looked around from tell, or, where there is no arrangement, as memory is told
 // by.
+PlannedLists lists_of(double pairs, const std::string& unit, double vertices) {
+  return planned_lists(pairs, unit, seconds_of_factors_2(vertices, pairs),
+                       pairs * static_cast<double>(kBytesOfSumOnDisk));
+}
+// Of as many pairs as vertices that are looked around from tell, or, where there is no arrangement, as memory is told
+// by.
 PlannedLists lists_of(const Simulation2& simulation, const MemoryEstimate& memory, bool is_arranged) {
   if (!is_arranged) {
     const MemoryStage& stage = memory.stages()[1];
-    return planned_lists(stage.count, stage.unit, seconds_of_factors_2(2 * memory.stages()[0].count, stage.count));
+    return lists_of(stage.count, stage.unit, 2 * memory.stages()[0].count);
   }
   const auto prepared = simulation.prepared();
   const auto pairs =
       static_cast<double>(estimated_sight(prepared->arrangement, *prepared->elements(simulation.granularity())).pairs);
   const auto vertices = static_cast<double>(prepared->arrangement.vertices().size());
-  return planned_lists(pairs, "visible pairs", seconds_of_factors_2(vertices, pairs));
+  return lists_of(pairs, "visible pairs", vertices);
 }
 
 Planned plan_of(const PlanOptions& options, Scene2 scene) {

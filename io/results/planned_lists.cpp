@@ -4,12 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/sums/plane/sum_folder.h"
 #include "solver/memory_estimate.h"
 
 namespace hottel {
 
-PlannedLists planned_lists(double pairs, const std::string& unit, double seconds) {
+PlannedLists planned_lists(double pairs, const std::string& unit, double seconds, double sums_bytes) {
   // Both directions of a pair.
   constexpr double kCsv = 2 * 75, kMtx = 2 * 34, kHdf5 = 2 * 13;
   return {.pairs = pairs,
@@ -18,7 +17,7 @@ PlannedLists planned_lists(double pairs, const std::string& unit, double seconds
           .csv_bytes = pairs * kCsv,
           .mtx_bytes = pairs * kMtx,
           .hdf5_bytes = pairs * kHdf5,
-          .sums_bytes = pairs * kBytesOfSumOnDisk};
+          .sums_bytes = sums_bytes};
 }
 
 std::string lists_text(const PlannedLists& lists) {

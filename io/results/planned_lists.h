@@ -14,7 +14,8 @@ struct PlannedLists {
   double csv_bytes = 0, mtx_bytes = 0, hdf5_bytes = 0;
   double sums_bytes = 0;  // beside the file, with --out-of-core or --checkpoint
 };
-PlannedLists planned_lists(double pairs, const std::string& unit, double seconds);
+// sums_bytes: of the sums of as many pairs.
+PlannedLists planned_lists(double pairs, const std::string& unit, double seconds, double sums_bytes);
 
 // A line each, under a heading.
 std::string lists_text(const PlannedLists& lists);

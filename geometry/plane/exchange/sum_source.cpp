@@ -8,15 +8,6 @@
 
 namespace hottel {
 
-RowCuts::RowCuts(std::uint32_t rows, std::size_t ranges) {
-  const std::size_t count = std::clamp<std::size_t>(ranges, 1, std::max<std::size_t>(rows, 1));
-  for (std::size_t k = 1; k <= count; ++k) ends_.push_back(static_cast<std::uint32_t>(rows * k / count));
-}
-
-std::size_t RowCuts::of(std::uint32_t row) const {
-  return static_cast<std::size_t>(std::ranges::upper_bound(ends_, row) - ends_.begin());
-}
-
 SumsInMemory2::SumsInMemory2(PairSums2 sums, std::size_t entries_in_range)
     : sums_(std::move(sums)), cuts_(sums_.rows(), 2 * sums_.size() / entries_in_range + 1) {}
 

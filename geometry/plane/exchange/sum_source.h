@@ -5,26 +5,9 @@
 #include <vector>
 
 #include "geometry/plane/exchange/pair_sums.h"
-#include "geometry/row_ranges.h"
+#include "geometry/row_cuts.h"
 
 namespace hottel {
-
-// The rows of labels cut into ranges of about as many rows each.
-//
-//   (1) ranges follow each other, and together they are all rows; none of several is empty
-class RowCuts {
- public:
-  // REQUIRES: ranges >= 1. There are no more than rows, and one at least.
-  RowCuts(std::uint32_t rows, std::size_t ranges);
-
-  std::size_t count() const { return ends_.size(); }
-  RowRange range(std::size_t k) const { return {k == 0 ? 0 : ends_[k - 1], ends_[k]}; }
-  // The range of a row. REQUIRES: a row.
-  std::size_t of(std::uint32_t row) const;
-
- private:
-  std::vector<std::uint32_t> ends_;
-};
 
 // 2 S(i, j) of pairs of labels, a range of rows at a time.
 class SumSource2 {

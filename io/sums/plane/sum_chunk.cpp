@@ -139,7 +139,7 @@ SumChunkHead2 write_sum_chunk(const std::filesystem::path& file, SumChunkHead2 h
   return head;
 }
 
-SumChunkHead2 read_sum_chunk_head(const std::filesystem::path& file) {
+SumChunkHead2 read_sum_chunk_head_2(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::string magic(kMagic.size(), '\0');
   std::uint32_t size = 0, sum = 0;

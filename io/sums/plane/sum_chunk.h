@@ -38,7 +38,7 @@ SumChunkHead2 write_sum_chunk(const std::filesystem::path& file, SumChunkHead2 h
                               const ElementTable2& table, const RowCuts& cuts);
 
 // Returns the head of a chunk. Throws InputError for what is none of this layout, or breaks off.
-SumChunkHead2 read_sum_chunk_head(const std::filesystem::path& file);
+SumChunkHead2 read_sum_chunk_head_2(const std::filesystem::path& file);
 
 // Returns the sums of segment k, ascending by key. Throws InputError where they are not those that were written.
 std::vector<PairSum2> read_sum_segment(const std::filesystem::path& file, const SumChunkHead2& head, std::size_t k);

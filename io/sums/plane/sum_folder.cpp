@@ -55,11 +55,13 @@ std::vector<PairSum2> added(const std::vector<PairSum2>& a, const std::vector<Pa
 
 }  // namespace
 
-std::uint64_t disk_for_sums(std::uint64_t pairs) { return pairs * kBytesOfSumOnDisk; }
+std::uint64_t disk_for_sums_2(std::uint64_t pairs) { return pairs * kBytesOfSumOnDisk; }
 
-std::size_t ranges_for_sums(std::uint64_t pairs, std::uint64_t memory) {
+std::size_t ranges_for_sums_2(std::uint64_t pairs, std::uint64_t memory) {
   constexpr std::uint64_t kMost = 256;
-  return static_cast<std::size_t>(std::min(kMost, 1 + 8 * disk_for_sums(pairs) / std::max<std::uint64_t>(memory, 1)));
+  const std::uint64_t by_memory = 8 * disk_for_sums_2(pairs) / std::max<std::uint64_t>(memory, 1);
+  const std::uint64_t by_size = 2 * pairs / SumsInMemory2::kEntriesInRange;
+  return static_cast<std::size_t>(std::min(kMost, 1 + std::max(by_memory, by_size)));
 }
 
 std::string sums_key(const PreparedScene2& prepared, const ElementTable2& table, const ExchangeRequest& request) {
@@ -81,7 +83,7 @@ SumFolder2::SumFolder2(SumFolderRequest asked, const PreparedScene2& prepared, c
       memory_(request.memory),
       key_(sums_key(prepared, table, request)),
       estimated_pairs_(estimated_sight(prepared.arrangement, table).pairs),
-      cuts_(table.count(), ranges_for_sums(estimated_pairs_, memory_)),
+      cuts_(table.count(), ranges_for_sums_2(estimated_pairs_, memory_)),
       folder_(place_of(asked_)),
       pending_(asked_.stays ? PendingRemoval() : PendingRemoval(place_of(asked_).string(), Removal::kFolder)) {
   Stopwatch watch;
@@ -125,7 +127,7 @@ void SumFolder2::take_chunks() {
 }
 
 void SumFolder2::take(const fs::path& file) {
-  SumChunkHead2 head = read_sum_chunk_head(file);
+  SumChunkHead2 head = read_sum_chunk_head_2(file);
   require_own(file, head);
   if (chunks_.empty()) cuts_ = RowCuts(table_.count(), head.segments.size());
   if (head.segments.size() == cuts_.count()) chunks_.push_back({file, std::move(head)});
@@ -140,7 +142,7 @@ void SumFolder2::require_own(const fs::path& file, const SumChunkHead2& head) co
 }
 
 void SumFolder2::require_room() const {
-  const std::uint64_t needed = disk_for_sums(estimated_pairs_), there = bytes();
+  const std::uint64_t needed = disk_for_sums_2(estimated_pairs_), there = bytes();
   if (needed > there)
     require_space(place_of(asked_) / kEnding, needed - there,
                   fmt::format("the sums of about {} pairs take about", estimated_pairs_), "");

@@ -83,7 +83,7 @@ class SumFolder2 final : public SumSource2 {
 // A sum on disk, at the most: in the rows of two ranges, and in a fifth more chunks than one. In bytes.
 inline constexpr std::uint64_t kBytesOfSumOnDisk = 80;
 // The disk that the sums of so many pairs take, in bytes, and the ranges of rows that they are kept by.
-std::uint64_t disk_for_sums(std::uint64_t pairs);
-std::size_t ranges_for_sums(std::uint64_t pairs, std::uint64_t memory);
+std::uint64_t disk_for_sums_2(std::uint64_t pairs);
+std::size_t ranges_for_sums_2(std::uint64_t pairs, std::uint64_t memory);
 
 }  // namespace hottel

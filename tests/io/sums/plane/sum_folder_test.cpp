@@ -201,9 +201,9 @@ TEST(SumFolder2, RefusesDamagedChunks) {
 }
 
 TEST(SumFolder2, AsksWhetherTheDiskHasRoom) {
-  EXPECT_GE(disk_for_sums(1000), 64'000U);
-  EXPECT_EQ(ranges_for_sums(1000, 1'000'000'000), 1U);
-  EXPECT_EQ(ranges_for_sums(1'000'000'000, 1), 256U);
+  EXPECT_GE(disk_for_sums_2(1000), 64'000U);
+  EXPECT_EQ(ranges_for_sums_2(1000, 1'000'000'000), 1U);
+  EXPECT_EQ(ranges_for_sums_2(1'000'000'000, 1), 256U);
 }
 
 }  // namespace
