@@ -72,7 +72,7 @@ void require_effect(const CompareOptions& options, const MethodCatalogue<Prepare
     has_parameter = has_parameter || method->info().parameter > 0;
   }
   if (options.plot_x == PlotX::kElements || options.plot_y == ErrorKind::kFaceRadiosity)
-    throw UsageError("elements along x and errors of faces along y need --divide");
+    throw UsageError("a plot of elements along x, or of errors of faces along y, needs --divide");
   if (options.plot_x == PlotX::kParameter && !has_parameter)
     throw UsageError(
         "--plot-x parameter needs a method with a number of rays, points or pixels, like rays:N or hemicube:R, and "
@@ -185,7 +185,7 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
   const std::vector<NamedMethod> radiosity_files = take_radiosity_files(named);
   if (named.empty() ||
       ((!options.grid_file.empty() || !options.texels.empty()) && options.methods.empty() && !options.sweep))
-    named = {NamedMethod{kExactFamily, ""}};
+    named = {NamedMethod{kExactFamily, ""}}, options.has_own_method = true;
   const auto methods = methods_to_run(methods_there_are, named);
   require_effect(options, methods_there_are, methods, radiosity_files);
 

@@ -91,10 +91,13 @@ JudgedGrid judge_grid(const std::string& file, const MethodComparison2& comparis
 
 JudgedGrid judge_grid(const std::string& file, const MethodComparison3& comparison, double beyond) {
   const RadiositySolution& solution = comparison.required_solution();
-  const ExternalGrid external = read_external_grid(file);
-  require_channels(external, solution);
   const PreparedScene3& prepared = comparison.prepared();
   const Grid3& grid = grid_of_file(prepared.scene, file);
+  if (grid.is_volume())
+    throw InputError({file, 0}, "is light in a volume, and what is compared is light on planar grids",
+                     {"compare its layers, each as a grid without \"w\""});
+  const ExternalGrid external = read_external_grid(file);
+  require_channels(external, solution);
   require_cells(external, grid.nu, grid.nv);
   return judged(external, exact_light_on(comparison, grid).values, solution,
                 {to_doubles(grid.origin), to_doubles(grid.u), to_doubles(grid.v), grid.nu, grid.nv, true}, beyond);

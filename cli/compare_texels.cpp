@@ -44,7 +44,7 @@ void require_cells(const ExternalGrid& grid) {
 
 void require_place(const TexelFacts& facts, const std::string& name, const Grid3& grid) {
   if (!facts.region) return;
-  const PlanarRegion own = region_of(grid);
+  const GridRegion3 own = region_of(grid);
   double size = 0, off = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     size = std::max({size, std::abs(own.u[k]), std::abs(own.v[k])});
@@ -129,7 +129,7 @@ ComparedTexels judge_texels(const TexelFile& file, const MethodComparison3& comp
   const IlluminationGrid3 light = texels_3(comparison.prepared(), source, file.face, file.grid, progress);
   const GridValues found{external.ny, external.nx, external.channels, external.values},
       exact{external.ny, external.nx, external.channels, light.values};
-  const PlanarRegion region = region_of(file.grid);
+  const GridRegion3 region = region_of(file.grid);
   JudgedTexels judged{external.file,
                       file.name,
                       quantity,

@@ -52,6 +52,7 @@ struct CompareOptions {
   ElementOptions elements;
   PolygonOptions polygons;
   StoreOption store;
+  bool has_own_method = false;  // no method was asked for: the exact one is there for the table
 };
 
 // What comparing needs of the plane.
@@ -151,7 +152,9 @@ MethodResult run(const Comparison& comparison, const Method& compared, const Com
                  const std::function<void(double)>& progress = {}) {
   const bool is_file = family_of_method(compared.method->info().name) == "file";
   try {
-    MethodResult result = comparison.run(*compared.method, is_file ? 1 : options.repeat, progress);
+    MethodResult result = options.has_own_method && !options.repeat
+                              ? comparison.reference_as_method(*compared.method)
+                              : comparison.run(*compared.method, is_file ? 1 : options.repeat, progress);
     if (result.report.written && result.errors.pairs == 0 && comparison.exact().entry_count() > 0) {
       const std::string problem = "holds no factor of any face: there is nothing to judge";
       if (is_file) throw InputError({result.info.reference, 0}, problem);

@@ -99,7 +99,8 @@ void require_sense(const FactorsOptions& options) {
   if (options.json && options.out == "-") throw UsageError("--json and -o - both want standard output; give -o a file");
   if (options.script_f && options.matrix != "" && options.matrix != "factor")
     throw UsageError("--script-f is written as --matrix factor, not --matrix " + options.matrix);
-  if (options.script_f && options.pairs != "visible") throw UsageError("--script-f lists all pairs that exchange heat");
+  if (options.script_f && options.pairs != "visible")
+    throw UsageError("--script-f lists all pairs that exchange heat: it goes with --pairs visible only");
   require_sense_of_digits(options);
   require_sense_of_rows(options);
   require_sense_of_folders(options);

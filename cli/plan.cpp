@@ -1,4 +1,5 @@
 // hottel plan: what solve would simulate of a scene, and what not.
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -11,20 +12,23 @@
 #include "cli/sky_option.h"
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "geometry/plane/prepared/element_table.h"
+#include "geometry/scene_names.h"
 #include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
 #include "io/sums/plane/sum_folder.h"
 #include "kernel/support/failure.h"
 #include "solver/plan_speed.h"
+#include "solver/plane/light/light_values.h"
 #include "solver/plane/scene_plan.h"
 #include "solver/plane/simulation/simulation.h"
 #include "solver/space/simulation/simulation.h"
+#include "viewer/picture/space/texels.h"
 
 namespace hottel {
 namespace {
 
 struct PlanOptions {
-  std::string scene, grid;
+  std::string scene, grid, illumination = "point", shading = "flat", texels;
   ElementOptions elements;
   PolygonOptions polygons;
   SkyOption sky;
@@ -59,8 +63,6 @@ bool is_had(const std::optional<PlannedMemory>& memory) {
   return !memory || memory_problem(memory->estimate, {memory->limits.of_all, memory->limits.of_all}).empty();
 }
 
-// Of as many pairs as vertices that are looked around from tell, or, where there is no arrangement, as memory is told
-// by.
 PlannedLists lists_of(double pairs, const std::string& unit, double vertices) {
   return planned_lists(pairs, unit, seconds_of_factors_2(vertices, pairs),
                        pairs * static_cast<double>(kBytesOfSumOnDisk));
@@ -79,12 +81,31 @@ PlannedLists lists_of(const Simulation2& simulation, const MemoryEstimate& memor
   return lists_of(pairs, "visible pairs", vertices);
 }
 
+// What of light is asked for in space.
+PlanRequest light_of(const PlanOptions& options, const Scene3& scene, std::uint64_t cells) {
+  PlanRequest request{.grid_cells = cells,
+                      .is_average = options.illumination == "average",
+                      .is_gathered = options.shading == "gathered"};
+  if (options.illumination == "inverse-square") throw UsageError("--illumination inverse-square is of the plane");
+  if (options.illumination != PlanOptions().illumination && cells == 0)
+    throw UsageError("--illumination is of light on a grid, and " + options.scene + " has none");
+  if (request.is_average && std::ranges::any_of(scene.grids, &Grid3::is_volume))
+    throw UsageError("--illumination average is the irradiance of cells on a side, and a grid with \"w\" has none");
+  if (options.texels.empty()) return request;
+  const TexelOption asked = texel_option(options.texels);
+  request.texels = texel_grid_3(scene, face_of(scene, asked.name), asked.nu, asked.nv).cells();
+  return request;
+}
+
 Planned plan_of(const PlanOptions& options, Scene2 scene) {
   options.sky.refuse_in_plane();
+  for (const auto& [is_given, option] :
+       {std::pair(options.shading != PlanOptions().shading, "--shading"), {!options.texels.empty(), "--texels"}})
+    if (is_given) throw UsageError(std::string(option) + " is only for scenes in space");
   options.elements.apply_to(scene);
   const Grid2 grid = grid_of(scene, options.grid);
   Planned result{nullptr, memory_of(options, scene, std::uint64_t{grid.nx} * grid.ny), {}};
-  const Simulation2 simulation(std::move(scene), {.grid = grid});
+  const Simulation2 simulation(std::move(scene), {.grid = grid, .light = *light_kind_2(options.illumination)});
   if (is_had(result.memory)) result.effects = simulation.plan();
   if (result.memory) result.lists = lists_of(simulation, result.memory->estimate, result.effects != nullptr);
   return result;
@@ -94,10 +115,9 @@ Planned plan_of(const PlanOptions& options, Scene3 scene) {
   options.elements.apply_to(scene);
   const std::uint64_t cells = cells_of(grids_of(scene, options.grid));
   Planned result{nullptr, memory_of(options, scene, cells), {}};
+  const PlanRequest light = light_of(options, scene, cells);
   if (is_had(result.memory))
-    result.effects = Simulation3(std::move(scene), {.factors = {.sky = options.sky.in_space()},
-                                                    .plan = {.everything = false, .grid_cells = cells}})
-                         .plan();
+    result.effects = Simulation3(std::move(scene), {.factors = {.sky = options.sky.in_space()}, .plan = light}).plan();
   return result;
 }
 
@@ -132,6 +152,18 @@ void add_plan(Commands& commands) {
   options->sky.add_to(command);
   command.add_option("--grid", options->grid, "cells of the illumination, as solve would be asked for them")
       ->type_name("NXxNY");
+  command
+      .add_option("--illumination", options->illumination,
+                  "how the light in cells is found, as solve would be asked for it: point, average or inverse-square")
+      ->check(CLI::IsMember({"point", "average", "inverse-square"}))
+      ->capture_default_str();
+  command
+      .add_option("--shading", options->shading,
+                  "in space, how values run in the picture, as solve would be asked for it: flat, smooth or gathered")
+      ->check(CLI::IsMember({"flat", "smooth", "gathered"}))
+      ->capture_default_str();
+  command.add_option("--texels", options->texels, "in space, a face and its texels, as solve would be asked for them")
+      ->type_name("NAME=NXxNY");
   command
       .add_option(
           "--memory", options->memory,

@@ -131,11 +131,12 @@ std::vector<ReferenceLight> reference_lights(const SolvedLight2* light, const Ra
 std::vector<ReferenceLight> reference_lights(const std::vector<std::shared_ptr<const IlluminationGrid3>>& lights,
                                              const RadiositySolution& solution) {
   std::vector<ReferenceLight> result;
-  for (const auto& light : lights)
-    result.push_back({grid_file("illumination", light->grid),
-                      {light->grid.nv, light->grid.nu, light->channels},
-                      light->values,
+  for (const auto& light : lights) {
+    std::vector<std::size_t> shape = array_shape(light->grid);
+    shape.push_back(light->channels);
+    result.push_back({grid_file("illumination", light->grid), std::move(shape), light->values,
                       illumination_sidecar(region_of(light->grid), solution.channel_names)});
+  }
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -174,19 +175,43 @@ std::vector<std::string> parts_at_commas(const std::string& text) {
   return parts;
 }
 
+namespace {
+
+// The number that a text is; 0 for anything but whole ones from 1 to `most`.
+std::uint32_t count_of(const std::string& digits, std::uint32_t most) {
+  const auto value = parse_rational(digits);
+  if (!value || value->get_den() != 1 || *value < 1 || *value > most) return 0;
+  return static_cast<std::uint32_t>(value->get_num().get_ui());
+}
+
+// So many numbers with an x between two of them.
+template <std::size_t kCount>
+std::array<std::uint32_t, kCount> numbers_of(const std::string& option, const std::string& pattern,
+                                             const std::string& text, std::uint32_t most) {
+  std::array<std::uint32_t, kCount> numbers{};
+  std::size_t begin = 0;
+  for (std::size_t k = 0; k < kCount && begin <= text.size(); ++k) {
+    const std::size_t end = k + 1 == kCount ? text.size() : std::min(text.find('x', begin), text.size());
+    numbers[k] = count_of(text.substr(begin, end - begin), most);
+    begin = end + 1;
+  }
+  if (std::ranges::find(numbers, 0U) == numbers.end()) return numbers;
+  throw UsageError(fmt::format("{} takes {} with numbers from 1 to {}, not '{}'", option, pattern, most, text));
+}
+
+}  // namespace
+
 std::array<std::uint32_t, 2> two_numbers(const std::string& option, const std::string& pattern, const std::string& text,
                                          std::uint32_t most) {
-  const auto x = text.find('x');
-  const auto number = [most](const std::string& digits) -> std::uint32_t {
-    const auto value = parse_rational(digits);
-    if (!value || value->get_den() != 1 || *value < 1 || *value > most) return 0;
-    return static_cast<std::uint32_t>(value->get_num().get_ui());
-  };
-  const std::uint32_t first = x == std::string::npos ? 0 : number(text.substr(0, x));
-  const std::uint32_t second = x == std::string::npos ? 0 : number(text.substr(x + 1));
-  if (first == 0 || second == 0)
-    throw UsageError(fmt::format("{} takes {} with numbers from 1 to {}, not '{}'", option, pattern, most, text));
-  return {first, second};
+  return numbers_of<2>(option, pattern, text, most);
+}
+
+TexelOption texel_option(const std::string& text) {
+  const auto end = text.rfind('=');
+  if (end == std::string::npos)
+    throw UsageError("--texels takes NAME=NXxNY, a face and how many it has, not '" + text + "'");
+  const auto [nu, nv] = two_numbers("--texels", "NAME=NXxNY", text.substr(end + 1), kMaxGridCells3);
+  return {text.substr(0, end), nu, nv};
 }
 
 Grid2 grid_of(const Scene2& scene, const std::string& option) {
@@ -195,6 +220,29 @@ Grid2 grid_of(const Scene2& scene, const std::string& option) {
   return grid_over(scene, nx, ny);
 }
 
+namespace {
+
+void divide_planar_grids(std::vector<Grid3>& grids, const std::string& option) {
+  const auto [nu, nv] = two_numbers("--grid", "NXxNY", option, kMaxGridCells3);
+  for (Grid3& grid : grids) {
+    if (grid.is_volume()) continue;
+    grid.nu = nu;
+    grid.nv = nv;
+  }
+}
+
+void divide_volumes(std::vector<Grid3>& grids, const std::string& option) {
+  const auto [nu, nv, nw] = numbers_of<3>("--grid", "NXxNYxNZ", option, kMaxGridCells3);
+  for (Grid3& grid : grids) {
+    if (!grid.is_volume()) continue;
+    grid.nu = nu;
+    grid.nv = nv;
+    grid.nw = nw;
+  }
+}
+
+}  // namespace
+
 std::vector<Grid3> grids_of(const Scene3& scene, const std::string& option) {
   std::vector<Grid3> grids = scene.grids;
   if (option.empty()) return grids;
@@ -202,17 +250,26 @@ std::vector<Grid3> grids_of(const Scene3& scene, const std::string& option) {
     throw UsageError(
         "--grid divides the grid of a scene in space, and this scene has none: add \"grid\": {\"origin\": [x, y, z], "
         "\"u\": [x, y, z], \"v\": [x, y, z], \"cells\": [N, N]} to it, which says where light is wanted");
-  const auto [nu, nv] = two_numbers("--grid", "NXxNY", option, kMaxGridCells3);
-  for (Grid3& grid : grids) {
-    grid.nu = nu;
-    grid.nv = nv;
-  }
+  const bool is_of_volumes = std::ranges::count(option, 'x') == 2;
+  if (std::ranges::none_of(grids, [&](const Grid3& grid) { return grid.is_volume() == is_of_volumes; }))
+    throw UsageError(
+        is_of_volumes
+            ? "--grid NXxNYxNZ divides volumes, and the scene has planar grids alone"
+            : "--grid NXxNY divides planar grids, and the scene has volumes alone, which --grid NXxNYxNZ divides");
+  is_of_volumes ? divide_volumes(grids, option) : divide_planar_grids(grids, option);
   return grids;
+}
+
+std::string cells_text(const Grid2& grid) { return fmt::format("{} x {}", grid.nx, grid.ny); }
+
+std::string cells_text(const Grid3& grid) {
+  const std::string planar = fmt::format("{} x {}", grid.nu, grid.nv);
+  return grid.is_volume() ? fmt::format("{} x {}", planar, grid.nw) : planar;
 }
 
 std::uint64_t cells_of(const std::vector<Grid3>& grids) {
   std::uint64_t cells = 0;
-  for (const Grid3& grid : grids) cells += std::uint64_t{grid.nu} * grid.nv;
+  for (const Grid3& grid : grids) cells += grid.cells();
   return cells;
 }
 

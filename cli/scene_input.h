@@ -88,13 +88,24 @@ std::vector<std::string> parts_at_commas(const std::string& text);
 std::array<std::uint32_t, 2> two_numbers(const std::string& option, const std::string& pattern, const std::string& text,
                                          std::uint32_t most);
 
+// What --texels NAME=NXxNY asks for: a face, by its name, and how many texels along its two sides.
+struct TexelOption {
+  std::string name;
+  std::uint32_t nu = 1, nv = 1;
+};
+// Throws UsageError for anything else.
+TexelOption texel_option(const std::string& text);
+
 // The grid of an option --grid, "400x300" cells over the region of the scene's own grid or else of its surfaces;
 // without the option that of default_grid. Throws UsageError for anything but two numbers from 1 to kMaxGridCells.
 Grid2 grid_of(const Scene2& scene, const std::string& option);
-// The same in space: the scene's own grids, each with "400x300" cells along u and v where there is an option; none
-// where it has none. Throws UsageError for an option where it has none, or for anything but two numbers from 1 to
-// kMaxGridCells3.
+// The same in space: the scene's own grids, where there is an option the planar ones with "400x300" cells along u and
+// v, or the volumes with "40x30x20". Throws UsageError where none is of the kind that the option divides, or for
+// anything but two or three numbers from 1 to kMaxGridCells3.
 std::vector<Grid3> grids_of(const Scene3& scene, const std::string& option);
+// The cells of a grid in words, "400 x 300".
+std::string cells_text(const Grid2& grid);
+std::string cells_text(const Grid3& grid);
 // How many cells they have together.
 std::uint64_t cells_of(const std::vector<Grid3>& grids);
 

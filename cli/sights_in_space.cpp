@@ -9,7 +9,6 @@
 #include "geometry/space/exchange/exact_form.h"
 #include "geometry/space/exchange/face_sight.h"
 #include "geometry/space/exchange/vertex_graph.h"
-#include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "io/results/csv_field.h"
 #include "io/results/space/event_files.h"
@@ -22,13 +21,6 @@
 
 namespace hottel {
 namespace {
-
-void require_free(const PreparedScene3& prepared, const Face& face) {
-  const ElementTable3& table = *prepared.elements(Granularity::kFace);
-  if (table.parts(face.number()).empty() && !table.has_contact(face.number()))
-    throw RequestError(quoted_name(face_name(prepared.scene, face)) +
-                       " has no area: it lies in solids, or others have all of its place");
-}
 
 Face face_with_form(const Scene3& scene, const std::string& name) {
   if (name == "sky")

@@ -129,8 +129,8 @@ Simulation2 simulation_of(const SolveOptions& options, Scene2 scene, Request req
   request.simulation.lights = light_test_of(options, scene);
   const Grid2 grid = grid_of(scene, options.grid);
   if (request.simulation.wants_light)
-    require_room_for_light(options, {grid.nx, grid.ny}, channel_count(scene), "take a coarser --grid",
-                           request.directory);
+    require_room_for_light(options, cells_text(grid), std::uint64_t{grid.nx} * grid.ny, channel_count(scene),
+                           "take a coarser --grid", request.directory);
   request.simulation.grid = grid;
   request.simulation.method = all_methods_2().make(options.method);
   request.simulation.store = options.store.open(options.method);
@@ -248,7 +248,7 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
   if (options.outlines || options.no_outlines)
     throw UsageError("--outlines and --no-outlines are for scenes in space: in the plane walls are lines");
   if (!request.shown.is_light() && options.contours > 0)
-    throw UsageError("--contours are of --show light: " + options.show + " is on the faces alone");
+    throw UsageError("--contours needs --show light: " + options.show + " is on the faces alone");
   if (options.shading == "gathered") throw UsageError("--shading gathered is for scenes in space");
   if (!options.texels.empty()) throw UsageError("--texels is for scenes in space");
   if (renders_array(options))

@@ -12,12 +12,14 @@ namespace hottel {
 namespace {
 
 // In the order in which they are said, and the report.
-constexpr std::array<const char*, 17> kNames{"radiosity.csv",
+constexpr std::array<const char*, 19> kNames{"radiosity.csv",
                                              "flux.csv",
                                              "temperature.csv",
                                              "radiosity.vtu",
                                              "illumination.npy",
                                              "illumination.npy.json",
+                                             "illumination.vti",
+                                             "illumination.vts",
                                              "illumination_error.npy",
                                              "illumination_error.npy.json",
                                              "illumination.exr",

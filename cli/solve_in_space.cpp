@@ -20,6 +20,7 @@
 #include "cli/solve_files.h"
 #include "cli/unit_notes.h"
 #include "cli/views.h"
+#include "cli/volume_files.h"
 #include "geometry/name.h"
 #include "geometry/scene_names.h"
 #include "io/external/space/external_matrix.h"
@@ -53,6 +54,7 @@ namespace {
 void require_grid(const SolveOptions& options, const Scene3& scene) {
   if (options.exr) require_exr("--exr");
   if (!options.views.empty()) require_sense_of_views(options.views, options.illumination);
+  require_sense_of_volumes(options, scene);
   if (!scene.grids.empty()) return;
   if (options.illumination != SolveOptions().illumination)
     throw UsageError("--illumination is of light on a grid, and " + options.scene + " has none");
@@ -90,7 +92,7 @@ GridPicture3 grid_picture_of(const SolveOptions& options, const Scene3& scene) {
           .contours = options.contours};
 }
 
-// The files of light on a grid of the scene, and of what --show has of it.
+// The files of light on a planar grid of the scene, and of what --show has of it.
 struct GridFiles {
   Grid3 grid;
   OutputFile &npy, &sidecar;
@@ -189,18 +191,13 @@ struct TexelChoice {
 // Throws before any work what makes no sense, and where there is no room.
 std::optional<TexelChoice> texels_of(const SolveOptions& options, const Scene3& scene) {
   if (options.texels.empty()) return std::nullopt;
-  const auto end = options.texels.rfind('=');
-  if (end == std::string::npos)
-    throw UsageError("--texels takes NAME=NXxNY, a face and how many it has, not '" + options.texels + "'");
-  TexelChoice choice{{}, options.texels.substr(0, end), {}};
-  const auto [nu, nv] = two_numbers("--texels", "NAME=NXxNY", options.texels.substr(end + 1), kMaxGridCells3);
-  choice.face = face_of(scene, choice.name);
-  choice.grid = texel_grid_3(scene, choice.face, nu, nv);
-  const std::uint64_t bytes =
-      std::uint64_t{nu} * nv * static_cast<std::uint64_t>(channel_count(scene)) * sizeof(double);
+  const TexelOption asked = texel_option(options.texels);
+  TexelChoice choice{face_of(scene, asked.name), asked.name, {}};
+  choice.grid = texel_grid_3(scene, choice.face, asked.nu, asked.nv);
+  const std::uint64_t bytes = choice.grid.cells() * static_cast<std::uint64_t>(channel_count(scene)) * sizeof(double);
   if (const std::uint64_t allowed = memory_allowed(options.memory.value_or(0)); bytes > allowed)
-    throw RequestError(
-        fmt::format("{} x {} texels take {} bytes of memory; allowed are {}; take fewer", nu, nv, bytes, allowed));
+    throw RequestError(fmt::format("{} texels take {} bytes of memory; allowed are {}; take fewer",
+                                   cells_text(choice.grid), bytes, allowed));
   return choice;
 }
 
@@ -293,7 +290,8 @@ PictureView picture_view_of(const RenderedView3& view, const Scene3& scene) {
           !scene.camera.has_value()};
 }
 
-SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene, const std::vector<Grid3>& grids) {
+SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene, const std::vector<Grid3>& grids,
+                              std::uint64_t texels) {
   const GridPicture3 picture = grid_picture_of(options, scene);
   return {.factors = {.method = options.method == "exact" ? nullptr : all_methods_3().make(options.method),
                       .granularity = is_divided(scene) || options.levels.levels().is_any() ? Granularity::kElement
@@ -307,7 +305,11 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene, 
           .light = {.painter = options.no_picture ? nullptr : grid_painter_3(picture),
                     .is_average = options.illumination == "average"},
           .lights = light_test_of(options, scene),
-          .plan = {.everything = options.simulate == "everything", .grid_cells = cells_of(grids)}};
+          .plan = {.everything = options.simulate == "everything",
+                   .grid_cells = cells_of(grids),
+                   .is_average = options.illumination == "average",
+                   .is_gathered = options.shading == "gathered" && !options.no_picture,
+                   .texels = texels}};
 }
 
 }  // namespace
@@ -323,7 +325,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   options.elements.apply_to(scene);
   require_room_for_solving(scene, options.memory, options.levels);
   const std::vector<Grid3> grids = options.no_illumination ? std::vector<Grid3>() : grids_of(scene, options.grid);
-  const SimulationRequest3 request = request_of(options, scene, grids);
+  const SimulationRequest3 request = request_of(options, scene, grids, texel_choice ? texel_choice->grid.cells() : 0);
   const Simulation3 simulation =
       refined(Simulation3(std::move(scene), request), options.levels.levels(), streams.stages());
   auto plan = std::make_shared<const Plan>(plan_at_speed(*simulation.plan(), machine_speed()));
@@ -334,10 +336,14 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   SolveFiles files(directory, simulation.scene());
   OutputFile& vtu = files.add("radiosity.vtu");
   std::deque<GridFiles> grid_files;
+  std::deque<VolumeFiles> volume_files;
   for (const Grid3& grid : grids) {
-    require_room_for_light(options, {grid.nu, grid.nv}, channel_count(simulation.scene()), "take a coarser --grid",
-                           directory);
-    grid_files.emplace_back(options, shown, grid, files);
+    require_room_for_light(options, cells_text(grid), grid.cells(), channel_count(simulation.scene()),
+                           "take a coarser --grid", directory);
+    if (grid.is_volume())
+      volume_files.emplace_back(shown, grid, files);
+    else
+      grid_files.emplace_back(options, shown, grid, files);
   }
   std::deque<GridViews> views;
   for (const Grid3& grid : grids) {
@@ -376,6 +382,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
     if (const auto error =
             each.write(simulation, shown, grid_picture_of(options, simulation.scene()), streams, seconds))
       max_error = std::max(max_error.value_or(0), *error);
+  for (VolumeFiles& each : volume_files) each.write(simulation, shown, streams, seconds);
   for (GridViews& each : views)
     write_views_3(*simulation.prepared(), each.grid,
                   {simulation.scene(), factors->matrix, request.factors.granularity, {}, {}},

@@ -71,16 +71,15 @@ Shown shown_of(const SolveOptions& options) {
   if (!options.channel.empty()) choose_channel(shown, options.channel);
   const SolveOptions usual;
   if (!shown.is_light() && (options.tone || options.exposure != usual.exposure))
-    throw UsageError("--tone and --exposure are of --show light: " + options.show + " has a scale");
+    throw UsageError("--tone and --exposure need --show light: " + options.show + " has a scale");
   require_render(options, shown);
   return shown;
 }
 
-void require_room_for_light(const SolveOptions& options, const std::array<std::uint32_t, 2>& cells, int channels,
-                            const std::string& advice, const std::filesystem::path& directory) {
-  const std::uint64_t bytes =
-      std::uint64_t{cells[0]} * cells[1] * static_cast<std::uint64_t>(channels) * sizeof(double);
-  const std::string what = fmt::format("{}: light on {} x {} cells", options.scene, cells[0], cells[1]);
+void require_room_for_light(const SolveOptions& options, const std::string& its_cells, std::uint64_t cells,
+                            int channels, const std::string& advice, const std::filesystem::path& directory) {
+  const std::uint64_t bytes = cells * static_cast<std::uint64_t>(channels) * sizeof(double);
+  const std::string what = fmt::format("{}: light on {} cells", options.scene, its_cells);
   const std::string remedy = "; " + advice + ", or --no-illumination";
   if (const std::uint64_t allowed = memory_allowed(options.memory.value_or(0)); bytes > allowed)
     throw RequestError(fmt::format("{} takes {} bytes of memory; allowed are {}{}", what, bytes, allowed, remedy));

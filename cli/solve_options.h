@@ -60,8 +60,9 @@ Tone tone_asked(const std::optional<std::string>& name, Tone usual);
 
 // Throws RequestError where light on so many cells needs more memory or disk than there is. advice: what to do about
 // it, besides --no-illumination.
-void require_room_for_light(const SolveOptions& options, const std::array<std::uint32_t, 2>& cells, int channels,
-                            const std::string& advice, const std::filesystem::path& directory);
+// its_cells: the cells in words, "4 x 3".
+void require_room_for_light(const SolveOptions& options, const std::string& its_cells, std::uint64_t cells,
+                            int channels, const std::string& advice, const std::filesystem::path& directory);
 
 // What the picture shows, as --show, --channel and --bar ask for it. Throws UsageError for what is not there, and for
 // options of light (--tone, --exposure) where something else is shown; and, for --render, unless its file

@@ -65,8 +65,11 @@ void write_rows(const std::vector<ViewEntries>& rows, const Grid3& grid, std::ui
     empty += row.empty() ? 1 : 0;
   }
   output.write(view_matrix_head(
-      fmt::format("{} x {} cells, iv * {} + iu + 1 with iv = 0 at the origin", grid.nu, grid.nv, grid.nu), rows.size(),
-      columns, entries, empty));
+      grid.is_volume()
+          ? fmt::format("{} x {} x {} cells, (iw * {} + iv) * {} + iu + 1 with iw = iv = 0 at the origin", grid.nu,
+                        grid.nv, grid.nw, grid.nv, grid.nu)
+          : fmt::format("{} x {} cells, iv * {} + iu + 1 with iv = 0 at the origin", grid.nu, grid.nv, grid.nu),
+      rows.size(), columns, entries, empty));
   for (std::size_t k = 0; k < rows.size(); ++k) output.write(view_row_text(k + 1, rows[k]));
 }
 

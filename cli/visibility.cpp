@@ -48,7 +48,7 @@ namespace {
 
 struct VisibilityOptions {
   std::string scene, at, on, from, to, out, points, range, edge, face, side = "both";
-  bool json = false, exact = false, irradiance = false, events = false, graph = false;
+  bool json = false, exact = false, irradiance = false, events = false, graph = false, pieces = false;
   PolygonOptions polygons;
   GuaranteeOption guarantee;
 
@@ -236,8 +236,11 @@ void write_polygons(const PolygonRequest& request, const PreparedScene2& prepare
 ExitCode light_at_points(const VisibilityOptions& options, OrientedPointsInput input, Streams& streams) {
   for (const auto& [is_given, option] : {std::pair(!options.range.empty(), "--range"),
                                          {options.exact, "--exact"},
+                                         {options.pieces, "--pieces"},
                                          {options.side != VisibilityOptions().side, "--side"}})
     if (is_given) throw UsageError(std::string(option) + " is of polygons; points with normals have none");
+  if (options.guarantee.asked)
+    throw UsageError("--guarantee is of what points see; the light at points with normals has no proven bounds");
   write_oriented_light(input, read_scene_noting(options.scene, options.polygons, streams), streams);
   return ExitCode::kDone;
 }
@@ -250,12 +253,11 @@ ExitCode faces_at_points(const VisibilityOptions& options, const std::string& te
                                          {options.irradiance, "--irradiance"},
                                          {options.side != VisibilityOptions().side, "--side"}})
     if (is_given) throw UsageError(std::string(option) + " is of points in the plane; these have three coordinates");
-  const std::vector<Point3> points = read_points_3(text, name);
   const Scene scene = read_scene_noting(options.scene, options.polygons, streams);
   const auto* const space = std::get_if<Scene3>(&scene);
   if (space == nullptr)
     throw InputError({name, 0}, "points have three coordinates, and " + options.scene + " is in the plane");
-  write_seen_faces(points, *space, options.out, streams);
+  write_seen_faces({text, name, options.out, options.pieces, options.guarantee.must_be_enclosed()}, *space, streams);
   return ExitCode::kDone;
 }
 
@@ -265,8 +267,10 @@ ExitCode from_points(const VisibilityOptions& options, Streams& streams) {
   const std::string text = is_standard_input ? read_standard_input() : read_text_file(options.points);
   if (names_normals(text)) return light_at_points(options, {text, name, options.scene, options.out}, streams);
   if (are_points_3(text)) return faces_at_points(options, text, name, streams);
+  options.guarantee.refuse_in_plane();
   if (options.polygons.triangulates)
     throw UsageError("--triangulate cuts polygons in space; points without normals are of the plane");
+  if (options.pieces) throw UsageError("--pieces are of what points in space see; these are of the plane");
   const PolygonRequest request = polygon_request(options, text, name);
   note_passed_over(request.passed_over, streams);
   const Simulation2 simulation = simulation_of(options, streams);
@@ -464,9 +468,8 @@ void add_visibility(Commands& commands) {
   CLI::Option* points = command.add_option(
       "--points", options->points,
       "points, one visibility polygon each: csv of lines x,y, GeoJSON or well-known text; - is standard input. In "
-      "space lines x,y,z: the faces that each sees, with their solid angles, as csv. Of a "
-      "csv "
-      "with normals (first line x,y,nx,ny, in space x,y,z,nx,ny,nz) the irradiance, sky view factor and mean radiant "
+      "space lines x,y,z: the faces that each sees, with their solid angles, as .csv, .npz or .vtu. Of a csv with "
+      "normals (first line x,y,nx,ny, in space x,y,z,nx,ny,nz) the irradiance, sky view factor and mean radiant "
       "temperature at each, as csv");
   points->type_name("FILE");
   points->excludes(at)->excludes(on)->excludes(from)->excludes(to)->excludes(json);
@@ -484,6 +487,11 @@ void add_visibility(Commands& commands) {
   command.add_flag("--irradiance", options->irradiance,
                    "the mean irradiance at each of --points, for which the scene is solved; with --at X,Y it is told "
                    "anyhow where no more than some 10^7 pairs of faces see each other");
+  command
+      .add_flag(
+          "--pieces", options->pieces,
+          "with --points in space to a .npz: of each face the pieces that are seen of it (a .vtu always has them)")
+      ->needs(points);
   CLI::Option* edge = command.add_option("--edge", options->edge, "a face: what some point of it sees");
   edge->type_name("NAME");
   CLI::Option* face =
@@ -495,7 +503,7 @@ void add_visibility(Commands& commands) {
       "see of each other changes, by some of their lines: csv, with -o also .vtp, or drawn where they meet B");
   CLI::Option* graph = command.add_flag("--graph", options->graph, "all pairs of vertices that see each other");
   CLI::Option* guarantee = options->guarantee.add_to(command, "what a point sees has proven bounds; ");
-  for (CLI::Option* other : {points, edge, face, events, graph}) guarantee->excludes(other);
+  for (CLI::Option* other : {edge, face, events, graph}) guarantee->excludes(other);
   for (CLI::Option* other : {at, on, from, to, points}) {
     edge->excludes(other);
     face->excludes(other);
@@ -507,7 +515,8 @@ void add_visibility(Commands& commands) {
   command
       .add_option("-o", options->out,
                   "draw it: .png, .svg or .pdf; the answer in short is on stderr then. With --points the polygons: "
-                  ".csv, .geojson, .wkt or .npz; with --events and --graph a .csv, with --events in space also a .vtp "
+                  ".csv, .geojson, .wkt or .npz, in space .csv, .npz or .vtu; with --events and --graph a .csv, with "
+                  "--events in space also a .vtp "
                   "or a drawing. "
                   "Without it, or with -, the answer "
                   "is on standard "

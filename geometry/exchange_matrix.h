@@ -1,4 +1,12 @@
 // View factors of a scene: where every method, exact or approximate, ends, and where radiosity begins.
+//
+//   const Simulation2 simulation(read_scene_2("scenes/analytic/strip_obstructed.json"));
+//   const auto factors = simulation.factors();
+//   const ExchangeMatrix& matrix = factors->matrix;
+//   std::printf("F = %.17g\n", matrix.factor("bottom", "top").value);
+//   for (std::uint32_t i = 0; i < matrix.size(); ++i)
+//     for (const FactorEntry& entry : matrix.row(i))
+//       std::printf("%s -> %s: %.17g\n", matrix.name(i).c_str(), matrix.name(entry.to).c_str(), entry.factor.value);
 #pragma once
 
 #include <cstdint>
@@ -18,8 +26,8 @@ namespace hottel {
 //   (1) rows ascend by `to`; the sky is the last column, index sky()
 //   (2) an entry that is kExact is correctly rounded, its enclosure at most one ulp wide; where both entries of a pair
 //       are kExact, the two real numbers that they round satisfy A_i F_ij = A_j F_ji
-//   (3) of one that is kEnclosed the real factor and the double lie within bounds()
-//   (4) of one that is kEstimated the real factor lies within bounds(); the double is an estimate and not proven
+//   (3) where an entry is kEnclosed, the real factor and the double lie within bounds()
+//   (4) where an entry is kEstimated, the real factor lies within bounds(); the double is an estimate and not proven
 //   (5) only elements with a material and an area have a row; pairs that exchange nothing have no entry. That a pair
 //       without entry exchanges nothing is proven, unless all entries are estimated
 //   (6) where has_closed_rows(), the real factors of each row sum to 1, the sky included
@@ -93,12 +101,16 @@ class ExchangeMatrix {
   // Returns the index of the first element of that name; sky() for "sky"; nothing when there is none. COST: linear.
   std::optional<std::uint32_t> find(const std::string& name) const;
 
-  // For those who fill the matrix: entries by rows, row i in [begin[i], begin[i + 1]); for each entry its measure, its
-  // bounds and what is guaranteed of it, or none at all. Without guarantees every entry has that of the constructor.
-  // Bounds are needed where an entry is enclosed, and those of exact ones are not looked at. Throws ContractViolation,
-  // naming the row, where rows or columns are none of this matrix or do not ascend; where an exact factor is not
-  // positive; where bounds of an enclosed one are not 0 <= lower <= double <= upper, or those of an estimated one not 0
-  // <= lower <= upper; where a list has not as many members as there are entries.
+  // Fills the matrix: entries by rows, row i in [begin[i], begin[i + 1]). Measures, bounds and guarantees are lists
+  // with one member for each entry, or empty. Without guarantees every entry has that of the constructor. Bounds are
+  // needed where an entry is enclosed, and not looked at where it is exact. Throws ContractViolation, naming the row,
+  //
+  //   where rows or columns are none of this matrix or do not ascend,
+  //   where an exact factor is not positive,
+  //   where bounds of an enclosed factor are not 0 <= lower <= double <= upper, or of an estimated one not
+  //   0 <= lower <= upper,
+  //   where a list is not empty and has not as many members as there are entries.
+  //
   // After such a throw the matrix is not to be used.
   void assign(std::vector<std::size_t> begin, FactorEntries entries, std::vector<double> measures = {},
               std::vector<Enclosure> bounds = {}, std::vector<Guarantee> guarantees = {});

@@ -23,6 +23,9 @@ struct PlanRequest {
   bool everything = false;        // --simulate everything: every effect is used, whatever the scene says
   std::uint64_t grid_cells = 0;   // cells of the illumination grid; 0: none is wanted
   std::uint32_t longer_side = 0;  // of that grid in the plane, in cells; 0: it is a square
+  bool is_average = false;        // the illumination is that of cells, not of their centres
+  bool is_gathered = false;       // in space: the light of the picture is gathered
+  std::uint64_t texels = 0;       // in space: points of a face at which light is gathered beside
   friend bool operator==(const PlanRequest&, const PlanRequest&) = default;
 };
 
@@ -55,6 +58,7 @@ class Plan {
   static constexpr const char* kDividing = "dividing";
   static constexpr const char* kIllumination = "illumination";
   static constexpr const char* kPicture = "picture";
+  static constexpr const char* kTexels = "texels";  // where they are asked for
   static constexpr const char* kLights = "lights";
   static constexpr const char* kBeams = "beams";
   static constexpr const char* kMovement = "movement";

@@ -30,7 +30,7 @@ std::optional<std::array<std::array<double, 2>, 2>> region_beside(const std::fil
 
 }  // namespace
 
-ExternalGrid read_external_grid(const std::filesystem::path& file) {
+ExternalGrid read_external_cells(const std::filesystem::path& file) {
   const std::string name = file.string(), text = read_text_file(file);
   if (!text.starts_with("\x93NUMPY")) throw InputError({name, 0}, "is no array of NumPy (.npy)");
   const NumpyArray array = parse_numpy(name, text, 3);
@@ -44,6 +44,11 @@ ExternalGrid read_external_grid(const std::filesystem::path& file) {
     for (std::uint64_t x = 0; x < grid.nx; ++x)
       for (std::uint64_t c = 0; c < grid.channels; ++c, ++k)
         grid.values[k] = array.number(array.is_by_columns ? y + grid.ny * (x + grid.nx * c) : k);
+  return grid;
+}
+
+ExternalGrid read_external_grid(const std::filesystem::path& file) {
+  ExternalGrid grid = read_external_cells(file);
   grid.region = region_beside(file);
   return grid;
 }

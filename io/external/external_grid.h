@@ -25,9 +25,11 @@ struct ExternalGrid {
   std::optional<std::array<std::array<double, 2>, 2>> region;  // min, max
 };
 
-// Reads a NumPy array of the shape (ny, nx) or (ny, nx, channels), float64 or float32, in C or in Fortran order, and
-// the region of FILE.json if there is one. Throws InputError for anything else. COST: the file and its numbers in
-// memory.
+// Reads a NumPy array of the shape (ny, nx) or (ny, nx, channels), float64 or float32, in C or in Fortran order. Throws
+// InputError for anything else. COST: the file and its numbers in memory.
+ExternalGrid read_external_cells(const std::filesystem::path& file);
+
+// The same with the region of FILE.json if there is one.
 ExternalGrid read_external_grid(const std::filesystem::path& file);
 
 }  // namespace hottel

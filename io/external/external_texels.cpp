@@ -48,7 +48,7 @@ void require_shape(const Json& json, const ExternalGrid& grid, const std::string
 }  // namespace
 
 ExternalTexels read_external_texels(const std::filesystem::path& file) {
-  ExternalTexels texels{read_external_grid(file), {}};
+  ExternalTexels texels{read_external_cells(file), {}};
   const std::string beside = file.string() + ".json";
   std::error_code ignored;
   if (!std::filesystem::exists(beside, ignored)) return texels;

@@ -23,7 +23,7 @@ struct ExternalTexels {
   TexelFacts facts;
 };
 
-// Reads a NumPy array as read_external_grid does, and FILE.json if there is one. Throws InputError for anything else,
+// Reads a NumPy array as read_external_cells does, and FILE.json if there is one. Throws InputError for anything else,
 // where FILE.json is no JSON object, and where it has another shape than the array.
 ExternalTexels read_external_texels(const std::filesystem::path& file);
 

@@ -13,9 +13,9 @@ namespace hottel {
 //
 //   (1) the same entries give the same bytes: all are dated 1980-01-01
 //   (2) entries are found in the archive in the order in which they were added
+//   (3) an entry that begins or ends beyond 4 GiB is told by the extension for large files (zip64), others without it
 //
-// The format without its extension for large files: RequestError where an entry would begin or end beyond 4 GiB.
-// SEE: PKWARE, APPNOTE.TXT, 4.3 and 4.4.
+// SEE: PKWARE, APPNOTE.TXT, 4.3 to 4.5.
 class ZipWriter {
  public:
   using Sink = std::function<void(std::string_view)>;
@@ -23,14 +23,19 @@ class ZipWriter {
 
   // REQUIRES: names differ, at most 65535 of them, ASCII.
   void add(const std::string& name, std::string_view bytes);
+  // The same of bytes that do not lie in memory. write_bytes hands all of them to a sink, and is called twice.
+  void add(const std::string& name, const std::function<void(const Sink&)>& write_bytes);
   // Writes the table of entries. REQUIRES: called once, after all entries.
   void finish();
 
  private:
   struct Entry {
     std::string name;
-    std::uint32_t checksum, size, offset;
+    std::uint32_t checksum;
+    std::uint64_t size, offset;
   };
+  void begin(const std::string& name, std::uint32_t checksum, std::uint64_t size);
+  void write_end(std::uint64_t begin);
   void write(std::string_view bytes);
 
   Sink sink_;

@@ -1,4 +1,9 @@
 // View factors as files: one function a format, each writing through a sink.
+//
+//   const Simulation2 simulation(read_scene_2("scenes/analytic/strip_obstructed.json"));
+//   const auto factors = simulation.factors();
+//   std::ofstream file("factors.csv");
+//   write_factors_csv({simulation.scene(), factors->matrix}, [&](std::string_view text) { file << text; });
 #pragma once
 
 #include <array>
@@ -17,15 +22,13 @@
 
 namespace hottel {
 
-// What a file cannot hold, for it is beyond the range of doubles or, though not 0, below it (of single precision in
-// View3D's binary format), is refused by RequestError, naming the face: areas and coordinates in the files that have
-// them, direct exchange areas, and in single precision factors.
+// Every writer throws RequestError, naming the face, for a number that its file cannot hold: one that is beyond the
+// range of doubles or, though not 0, below it; in View3D's binary format the range is that of single precision. Such
+// numbers are areas, coordinates and direct exchange areas, and in single precision factors.
 
 // `from,to,factor,lower,upper,visibility,guarantee`: one line a pair, by from, then to. Shortest decimals that read
 // back to the same double, or no more digits than are asked for, bounds rounded outward; names quoted as RFC 4180 asks.
-// With areas two columns more, `from_area,to_area`: lengths in
-// the plane, empty for the sky. Throws RequestError for an area that is asked for and beyond the range of doubles,
-// or below it.
+// With table.has_areas two columns more, `from_area,to_area`: lengths in the plane, empty for the sky.
 void write_factors_csv(const FactorTable& table, const Sink& sink);
 
 // Matrix Market `coordinate real general`, 1-based, all faces and the sky last; the faces are named by
@@ -44,15 +47,14 @@ void write_factors_npy(const FactorTable& table, const Sink& sink);
 std::string factors_sidecar(const FactorTable& table);
 
 // View3D's text and binary formats (4.0.0). They know surfaces that radiate only: faces with a material, in order; what
-// goes to black backs and to the sky shows as rows that sum to less than 1. Emittance = 1 - reflectivity (mean of the
-// channels; for script-F, which is marked as View3D marks it, that of its channel). The text carries 17 digits; the
-// binary format is single precision. With only_rows there are fewer lines between areas and emittances than the head
-// says, and with only_columns these are shorter: what reads the whole then sees that it has a part.
+// goes to black backs and to the sky shows as rows that sum to less than 1. Emittance = 1 - reflectivity, the mean of
+// the channels; for script-F, which is marked as View3D marks it, that of its channel. The text carries 17 digits; the
+// binary format is single precision. With only_rows the file has fewer lines between areas and emittances than its head
+// says, and with only_columns these lines are shorter: a program that reads the whole notices that it has a part.
 void write_factors_view3d_text(const FactorTable& table, const Sink& sink);
 void write_factors_view3d_binary(const FactorTable& table, const Sink& sink);
 
-// Dense csv with names in the first row and column, all faces and the sky last: factors, direct exchange areas (needs
-// ExchangeMatrix::measures) or visibilities (NaN where S0 = 0; needs `hidden`).
+// What a dense csv holds: F, S or Vis.
 enum class DenseQuantity { kFactor, kExchange, kVisibility };
 // Dense csv with names in the first row and column, all faces and the sky last: factors, direct exchange areas,
 // or visibilities (needs `hidden`).
@@ -70,7 +72,7 @@ struct FactorFormatRow {
   FactorFormat format;
   const char* ending;
   const char* whose;  // "" or the program whose format it is
-  bool lists_pairs;   // that see each other; else it holds all
+  bool lists_pairs;   // only those that see each other; else the file holds all pairs
   bool is_text;
   const char* beside;  // the ending of a file beside it, which says what its rows are; null: there is none
 };
@@ -85,13 +87,13 @@ const FactorFormatRow& row_of(FactorFormat format);
 // Returns the format of a file by its ending; nothing for others.
 std::optional<FactorFormat> factor_format(const std::filesystem::path& file);
 
-// Returns how large such a file becomes for all faces, elements or groups of a scene: how many rows it has, and its
-// bytes, exactly for the binary formats, at the least for text.
+// How large a file becomes for all faces, elements or groups of a scene: its rows, and its bytes, exactly for the
+// binary formats, at least so many for text.
 struct DenseSize {
   std::uint64_t rows = 0;
   std::uint64_t bytes = 0;
 };
-// Of csv that with --matrix. REQUIRES: neither .mtx nor .h5, which have no such size.
+// Returns that size; for csv, of the dense table. REQUIRES: neither .mtx nor .h5, whose size depends on the factors.
 DenseSize dense_size(const SceneTable& scene, Granularity granularity, FactorFormat format);
 // The same of so many faces, and of so many of them that have a material. (In space a surface has more elements than
 // its table says.)

@@ -1,5 +1,6 @@
 #include "io/results/npy.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -26,6 +27,40 @@ std::string npy_header(std::span<const std::size_t> shape, std::string_view type
   return header + text;
 }
 
+namespace {
+
+// Well-formed UTF-8 as code points.
+std::u32string code_points(std::string_view text) {
+  std::u32string result;
+  for (std::size_t k = 0; k < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[k]);
+    const std::size_t more = lead < 0x80 ? 0 : lead < 0xE0 ? 1 : lead < 0xF0 ? 2 : 3;
+    char32_t code = more == 0 ? lead : lead & (0x3Fu >> more);
+    for (std::size_t i = 1; i <= more; ++i) code = code << 6 | (static_cast<unsigned char>(text[k + i]) & 0x3Fu);
+    result += code;
+    k += more + 1;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string npy_of_texts(const std::vector<std::string>& texts) {
+  std::vector<std::u32string> lines;
+  std::size_t width = 1;
+  for (const std::string& text : texts) {
+    lines.push_back(code_points(text));
+    width = std::max(width, lines.back().size());
+  }
+  const std::size_t shape[] = {texts.size()};
+  std::string bytes = npy_header(shape, "<U" + std::to_string(width));
+  for (std::u32string& line : lines) {
+    line.resize(width, U'\0');
+    bytes.append(reinterpret_cast<const char*>(line.data()), width * sizeof(char32_t));
+  }
+  return bytes;
+}
+
 void write_npy(std::span<const std::size_t> shape, std::span<const double> values,
                const std::function<void(std::string_view)>& sink) {
   std::size_t places = 1;
@@ -47,14 +82,15 @@ void add_shape(const GridRegion& region, Json& sidecar) {
   sidecar["region"]["max"] = region.max;
 }
 
-void add_shape(const PlanarRegion& region, Json& sidecar) {
+void add_shape(const GridRegion3& region, Json& sidecar) {
   if (!region.name.empty()) sidecar["grid"] = region.name;
-  sidecar["shape"] = {region.nv, region.nu};
+  sidecar["shape"] = region.w ? Json{region.nw, region.nv, region.nu} : Json{region.nv, region.nu};
   sidecar["order"] = "C";
-  sidecar["axes"] = {"v", "u"};
+  sidecar["axes"] = region.w ? Json{"w", "v", "u"} : Json{"v", "u"};
   sidecar["region"]["origin"] = region.origin;
   sidecar["region"]["u"] = region.u;
   sidecar["region"]["v"] = region.v;
+  if (region.w) sidecar["region"]["w"] = *region.w;
 }
 
 void add_channels(const std::vector<std::string>& channels, Json& sidecar) {
@@ -89,7 +125,7 @@ std::string illumination_sidecar(const GridRegion& region, const std::vector<std
   return sidecar_of_light(region, channels, way);
 }
 
-std::string illumination_sidecar(const PlanarRegion& region, const std::vector<std::string>& channels,
+std::string illumination_sidecar(const GridRegion3& region, const std::vector<std::string>& channels,
                                  std::optional<double> max_error) {
   if (!max_error) return sidecar_of_light(region, channels, "point");
   Json sidecar;
@@ -101,7 +137,7 @@ std::string illumination_sidecar(const PlanarRegion& region, const std::vector<s
   return sidecar.dump(2) + "\n";
 }
 
-std::string average_error_sidecar(const PlanarRegion& region) {
+std::string average_error_sidecar(const GridRegion3& region) {
   return sidecar_of_values(region, "what irradiance may be off", kRadiosityUnit);
 }
 
@@ -109,11 +145,11 @@ std::string shown_sidecar(const GridRegion& region, const std::string& quantity,
   return sidecar_of_values(region, quantity, unit);
 }
 
-std::string shown_sidecar(const PlanarRegion& region, const std::string& quantity, const std::string& unit) {
+std::string shown_sidecar(const GridRegion3& region, const std::string& quantity, const std::string& unit) {
   return sidecar_of_values(region, quantity, unit);
 }
 
-std::string texel_sidecar(const PlanarRegion& region, const std::string& face,
+std::string texel_sidecar(const GridRegion3& region, const std::string& face,
                           const std::vector<std::string>& channels) {
   Json sidecar;
   sidecar["quantity"] = "radiosity";
@@ -124,7 +160,7 @@ std::string texel_sidecar(const PlanarRegion& region, const std::string& face,
   return sidecar.dump(2) + "\n";
 }
 
-std::string texel_sidecar(const PlanarRegion& region, const std::string& face, const std::string& quantity,
+std::string texel_sidecar(const GridRegion3& region, const std::string& face, const std::string& quantity,
                           const std::string& unit) {
   Json sidecar;
   sidecar["quantity"] = quantity;

@@ -1,4 +1,10 @@
 // Radiosities and net fluxes as files.
+//
+//   const Simulation2 simulation(read_scene_2("scenes/analytic/square_radiosity.json"));
+//   const auto factors = simulation.factors();
+//   const auto solution = simulation.radiosities();
+//   std::ofstream file("radiosity.csv");
+//   write_radiosity_csv(simulation.scene(), factors->matrix, *solution, [&](std::string_view text) { file << text; });
 #pragma once
 
 #include <array>

@@ -28,7 +28,7 @@ struct SetFile {
 // in illumination.npy or, where the grid has a name, illumination-NAME.npy.
 struct ReferenceLight {
   std::string file;  // without .npy
-  std::array<std::size_t, 3> shape{};
+  std::vector<std::size_t> shape;
   std::span<const double> values;
   std::string sidecar;
 };
@@ -56,7 +56,7 @@ struct SceneReference {
   ReferenceUnits units;
   std::uint64_t unknowns = 0;  // elements with a material
   std::vector<std::string> channels;
-  std::vector<std::pair<std::string, std::array<std::size_t, 3>>> lights;  // files of light, and their shapes
+  std::vector<std::pair<std::string, std::vector<std::size_t>>> lights;  // files of light, and their shapes
   FactorCounts counts;
   std::uint64_t factors = 0, enclosed = 0;  // entries, and how many of them are not estimated
   Guarantee of_factors = Guarantee::kExact, of_radiosities = Guarantee::kEnclosed;

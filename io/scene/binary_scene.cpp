@@ -18,7 +18,7 @@ namespace hottel {
 namespace {
 
 constexpr std::string_view kMagic = "\x93hottel scene\n";
-constexpr std::uint32_t kLayout = 1;
+constexpr std::uint32_t kLayout = 2;
 // After the magic: the layout and the sum, four bytes each, the lower ones first; then the dimension and the scene.
 constexpr std::size_t kHead = kMagic.size() + 2 * sizeof(std::uint32_t);
 
@@ -107,7 +107,7 @@ void fields(T& c, Visit& visit) {
 }
 template <Is<Grid3> T, class Visit>
 void fields(T& g, Visit& visit) {
-  visit(g.origin, g.u, g.v, g.nu, g.nv, g.name);
+  visit(g.origin, g.u, g.v, g.nu, g.nv, g.name, g.w, g.nw);
 }
 template <Is<Scene2> T, class Visit>
 void fields(T& s, Visit& visit) {

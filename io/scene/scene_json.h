@@ -1,4 +1,8 @@
 // Scene files: JSON with exact numbers, and meshes. docs/scene_format.md says what they hold.
+//
+//   Scene2 scene = read_scene_2("scenes/analytic/square_radiosity.json");
+//   material_called(scene, "lit").emission = Spectrum::scalar(2);
+//   std::ofstream("brighter.json") << write_scene_2(scene);
 #pragma once
 
 #include <filesystem>
@@ -18,11 +22,17 @@ namespace hottel {
 // A scene of either dimension.
 using Scene = std::variant<Scene2, Scene3>;
 
-// Returns the scene of a file: of JSON, in the plane or in space as its "dimension" says; of a map (.geojson, .wkt),
-// its polygons seen from `side`, or a drawing (.svg), which are in the plane; or of a mesh (mesh_format_3) or a deck of
-// View3D (.vs3), which are in space; or of a binary scene (binary_scene.h), which is told by its first bytes. Polygons
-// that are not plane are refused, or cut by the triangulator. What is
-// passed over in maps, drawings and meshes is counted.
+// Returns the scene of a file. The file is one of these:
+//
+//   JSON                        in the plane or in space, as its "dimension" says
+//   a map (.geojson, .wkt)      in the plane, its polygons seen from `side`
+//   a drawing (.svg)            in the plane
+//   a mesh (mesh_format_3)      in space
+//   a deck of View3D (.vs3)     in space
+//   a binary scene              in the plane or in space; its first bytes tell it (binary_scene.h)
+//
+// The triangulator cuts polygons that are not plane; without one they are refused. `passed_over` counts what is passed
+// over in maps, drawings and meshes.
 //
 //   (1) every number has exactly the value that is typed; validate(scene) holds
 //   (2) surfaces are in the order of the file: edges, then the pieces of polylines; or polygons, then faces of meshes
@@ -34,9 +44,9 @@ using Scene = std::variant<Scene2, Scene3>;
 Scene read_scene(const std::filesystem::path& file, Triangulator3* triangulator = nullptr,
                  PassedOver* passed_over = nullptr, MapSide2 side = MapSide2::kInside);
 
-// The same for a text that comes without a name, and so without an ending: JSON; GeoJSON, which is no scene but has a
-// "type"; a drawing, which begins with '<'; a mesh that begins with solid, ply, OFF or a statement of OBJ, or is as
-// long as a binary STL file says that it is; or well-known text.
+// The same for a text without a file name, and so without an ending. It may be JSON; GeoJSON, which has a "type"; a
+// drawing, which begins with '<'; a mesh that begins with solid, ply, OFF or a statement of OBJ, or has the length that
+// a binary STL file states; or well-known text.
 Scene parse_any_scene(std::string_view text, const std::string& name_for_messages,
                       Triangulator3* triangulator = nullptr, PassedOver* passed_over = nullptr,
                       MapSide2 side = MapSide2::kInside);
@@ -46,8 +56,7 @@ Scene parse_any_scene(std::string_view text, const std::string& name_for_message
 Scene parse_scene(std::string_view text, const std::string& name_for_messages,
                   const TextSource& files = read_text_file);
 
-// The same for those who can use a scene in the plane only, or in space only: others are refused before their surfaces
-// are read.
+// The same for one dimension only: a scene of the other one is refused before its surfaces are read.
 Scene2 read_scene_2(const std::filesystem::path& file, PassedOver* passed_over = nullptr,
                     MapSide2 side = MapSide2::kInside);
 Scene2 parse_scene_2(std::string_view text, const std::string& name_for_messages);

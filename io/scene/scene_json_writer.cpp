@@ -161,9 +161,11 @@ void write_camera(const Camera3& camera, std::string& out) {
 }
 
 std::string grid_members(const Grid3& grid) {
-  return fmt::format("\"origin\": {}, \"u\": {}, \"v\": {}, \"cells\": [{}, {}]}}",
+  const std::string w = grid.w ? ", \"w\": " + triple(grid.w->x, grid.w->y, grid.w->z) : "";
+  return fmt::format("\"origin\": {}, \"u\": {}, \"v\": {}{}, \"cells\": [{}, {}{}]}}",
                      triple(grid.origin.x, grid.origin.y, grid.origin.z), triple(grid.u.x, grid.u.y, grid.u.z),
-                     triple(grid.v.x, grid.v.y, grid.v.z), grid.nu, grid.nv);
+                     triple(grid.v.x, grid.v.y, grid.v.z), w, grid.nu, grid.nv,
+                     grid.w ? ", " + std::to_string(grid.nw) : "");
 }
 
 // One without a name by itself, others as a list.

@@ -6,6 +6,14 @@
 //   usage               UsageError: unknown option, ending, method, name              (exit code 2)
 //
 // A number that could not be decided is none of these: it is a wider enclosure.
+//
+//   try {
+//     const Simulation2 simulation(read_scene_2(file));
+//     std::printf("F = %.17g\n", view_factor(simulation, "bottom", "top").value);
+//   } catch (const InputError& error) {
+//     std::fprintf(stderr, "%s\n", error.what());
+//     for (const std::string& hint : error.hints()) std::fprintf(stderr, "  %s\n", hint.c_str());
+//   }
 #pragma once
 
 #include <stdexcept>

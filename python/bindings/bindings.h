@@ -22,6 +22,7 @@ void add_visible_map(py::module_& module);
 void add_grid(py::module_& module);
 void add_graph(py::module_& module);
 void add_critical(py::module_& module);
+void add_sights(py::module_& module);
 void add_oriented_light(py::module_& module);
 void add_plan(py::module_& module);
 void add_judgement(py::module_& module);

@@ -215,6 +215,7 @@ PythonGridJudgement compare_grid(PythonSimulation& simulation, const py::object&
   if (shape.size() != 2 && shape.size() != 3)
     throw InputError({kArray, 0}, "of light has the shape (ny, nx) or (ny, nx, channels)");
   const std::size_t channels = shape.size() == 3 ? shape[2] : 1;
+  require_planar_grid(simulation, over, "a comparison");
   const auto asked = gridded(simulation, {py::make_tuple(shape[1], shape[0]), over, "point"});
   const auto comparison = simulation.comparison();
   return simulation.waited([&](const AnySimulation&, const StageProgress&) {

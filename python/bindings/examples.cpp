@@ -114,6 +114,16 @@ True)py"},
 (13, 'bottom')
 >>> lines.met[0]
 ('sky', 'sky', 'sky', 'sky'))py"},
+    {"FaceSight", R"py(
+>>> cube = hottel.Simulation(hottel.read_scene("scenes/space/cube.json"))
+>>> sight = cube.faces_seen_by("floor")
+>>> len(sight), sight.is_whole.all()
+(5, True))py"},
+    {"EventSurfaces", R"py(
+>>> boxes = hottel.Simulation(hottel.read_scene("scenes/space/two_boxes.json"))
+>>> events = boxes.event_surfaces("lamp", "low.top")
+>>> events.rulings.shape == (events.begin[-1], 2, 3)
+True)py"},
     {"Grid", R"py(
 >>> strips = hottel.Simulation(hottel.read_scene("scenes/analytic/strip_obstructed.json"))
 >>> grid = strips.grid((8, 4))

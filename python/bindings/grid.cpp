@@ -43,20 +43,37 @@ FoundLight found(const Simulation3& simulation, const std::optional<Shown>& show
     result.max_error = light->max_error();
     return result;
   }
+  if (simulation.grid()->is_volume()) {
+    if (needs_a_side(*shown)) throw UsageError("a volume shows 'temperature' alone: areas in it look no way");
+    result.shown = shown_at_points(*shown, lights_around(*simulation.light(progress)), solution->channel_names);
+    return result;
+  }
   const auto lights = oriented_lights_on_grid(*simulation.prepared(), simulation.request().factors.granularity,
                                               *solution, *simulation.grid(), telling("light on the grid", progress));
   result.shown = shown_at_points(*shown, lights, solution->channel_names);
   return result;
 }
 
-py::ssize_t columns_of(const std::variant<Grid2, Grid3>& cells) {
-  const auto* const plane = std::get_if<Grid2>(&cells);
-  return plane != nullptr ? plane->nx : std::get<Grid3>(cells).nu;
+// The shape of an array of one number a cell.
+std::vector<py::ssize_t> shape_of(const std::variant<Grid2, Grid3>& cells) {
+  if (const auto* const plane = std::get_if<Grid2>(&cells)) return {plane->ny, plane->nx};
+  const auto& grid = std::get<Grid3>(cells);
+  if (grid.is_volume()) return {grid.nw, grid.nv, grid.nu};
+  return {grid.nv, grid.nu};
 }
 
-py::ssize_t rows_of(const std::variant<Grid2, Grid3>& cells) {
-  const auto* const plane = std::get_if<Grid2>(&cells);
-  return plane != nullptr ? plane->ny : std::get<Grid3>(cells).nv;
+// The same of so many numbers a cell.
+std::vector<py::ssize_t> shape_of(const std::variant<Grid2, Grid3>& cells, std::size_t numbers) {
+  std::vector<py::ssize_t> shape = shape_of(cells);
+  shape.push_back(static_cast<py::ssize_t>(numbers));
+  return shape;
+}
+
+// "4 x 3": along the first direction first.
+std::string cells_text(const std::variant<Grid2, Grid3>& cells) {
+  std::string text;
+  for (const py::ssize_t count : shape_of(cells)) text = std::to_string(count) + (text.empty() ? "" : " x ") + text;
+  return text;
 }
 
 // The centre of a cell of so many between two numbers.
@@ -76,7 +93,7 @@ std::vector<double> centres_of(const Grid2& grid) {
 
 std::vector<double> centres_of(const Grid3& grid) {
   std::vector<double> result;
-  for (std::size_t cell = 0; cell < std::size_t{grid.nu} * grid.nv; ++cell)
+  for (std::size_t cell = 0; cell < grid.cells(); ++cell)
     for (const double x : to_doubles(cell_centre(grid, cell))) result.push_back(x);
   return result;
 }
@@ -88,9 +105,8 @@ const char* unit_of_light(const std::string& illumination) {
 }  // namespace
 
 py::array PythonGrid::centres() const {
-  const py::ssize_t dimension = std::holds_alternative<Grid2>(cells) ? 2 : 3;
   return frozen(std::visit([](const auto& grid) { return centres_of(grid); }, cells),
-                {rows_of(cells), columns_of(cells), dimension});
+                shape_of(cells, std::holds_alternative<Grid2>(cells) ? 2 : 3));
 }
 
 PythonGrid light_on_grid(const PythonSimulation& simulation, const GridKeywords& keywords,
@@ -106,16 +122,14 @@ PythonGrid light_on_grid(const PythonSimulation& simulation, const GridKeywords&
   FoundLight light = without_lock(simulation.options().waiting, [&](const StageProgress& progress) {
     return std::visit([&](const auto& each) { return found(each, shown, progress); }, *asked);
   });
-  const py::ssize_t rows = rows_of(light.cells), columns = columns_of(light.cells);
   PythonGrid grid{.cells = std::move(light.cells), .max_error = light.max_error};
   if (light.shown) {
-    grid.values = frozen(light.shown->numbers(), {rows, columns});
+    grid.values = frozen(light.shown->numbers(), shape_of(grid.cells));
     grid.name = light.shown->name;
     grid.unit = light.shown->unit;
     return grid;
   }
-  const auto channels = static_cast<py::ssize_t>(light.channels.size());
-  grid.values = frozen(std::move(light.values), {rows, columns, channels});
+  grid.values = frozen(std::move(light.values), shape_of(grid.cells, light.channels.size()));
   grid.channels = std::move(light.channels);
   grid.name = "mean irradiance";
   grid.unit = unit_of_light(keywords.illumination);
@@ -126,13 +140,15 @@ void add_grid(py::module_& module) {
   py::class_<PythonGrid>(
       module, "Grid",
       "Light at the centres of the cells of a grid. Index 0 is the lowest row, in space that at the\n"
-      "origin; columns run along x, in space along u.")
+      "origin; columns run along x, in space along u. A volume has layers of rows, along w.")
       .def_readonly("values", &PythonGrid::values,
-                    "float64 of shape (rows, columns, channels), of what was asked for by `show` (rows, columns), in\n"
-                    "`unit`. NaN in solids, and where nothing has a value. Read only.")
-      .def_property_readonly("centres", &PythonGrid::centres,
-                             "Where the cells have their centres, float64 of shape (rows, columns, 2), in space 3, in\n"
-                             "units of the scene, each coordinate the nearest double. Read only.")
+                    "float64 of shape (rows, columns, channels), of what was asked for by `show` (rows, columns), of\n"
+                    "a volume with the layers before the rows, in `unit`. NaN in solids, and where nothing has a "
+                    "value. Read only.")
+      .def_property_readonly(
+          "centres", &PythonGrid::centres,
+          "Where the cells have their centres, float64 of shape (rows, columns, 2), in space 3, of a\n"
+          "volume (layers, rows, columns, 3), in units of the scene, each coordinate the nearest double. Read only.")
       .def_property_readonly(
           "channels", [](const PythonGrid& grid) { return tuple_of(grid.channels); },
           "What values have a column each for, a tuple of str; none of what was asked for by `show`.")
@@ -141,8 +157,7 @@ void add_grid(py::module_& module) {
       .def_readonly("max_error", &PythonGrid::max_error,
                     "With illumination='average' a proven bound of the error of every value, a float; else None.")
       .def("__repr__", [](const PythonGrid& grid) {
-        return "<hottel.Grid of " + std::to_string(columns_of(grid.cells)) + " x " +
-               std::to_string(rows_of(grid.cells)) + " cells, " + grid.name + " [" + grid.unit + "]>";
+        return "<hottel.Grid of " + cells_text(grid.cells) + " cells, " + grid.name + " [" + grid.unit + "]>";
       });
 }
 
@@ -157,8 +172,10 @@ void add_grid_questions(py::class_<PythonSimulation>& type) {
       py::arg("over") = py::none(), py::arg("illumination") = "point",
       "Returns light at the centres of the cells of a grid, Grid: without `show` the mean irradiance, over all\n"
       "directions; with it 'irradiance', 'temperature' (the mean radiant one, [K]) or 'sky' (the view factor to it),\n"
-      "in the plane over all directions, in space on areas that look along u x v.\n\n"
-      "cells: (nx, ny), by default those of the scene's grid, in the plane else 256 along the longer side of the\n"
+      "in the plane over all directions, in space on areas that look along u x v, so that a volume has the\n"
+      "temperature alone.\n\n"
+      "cells: (nx, ny), of a volume (nu, nv, nw), by default those of the scene's grid, in the plane else 256 along "
+      "the longer side of the\n"
       "scene. over: a dict, a grid as a scene file has it, in place of the scene's; or, of several grids in space, "
       "the\n"
       "name of one. channel: of irradiance. illumination: 'point', 'average' (over cells, with a proven bound; in "

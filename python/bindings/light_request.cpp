@@ -26,13 +26,20 @@ std::uint32_t count_of(const py::object& number, std::uint32_t most) {
   return static_cast<std::uint32_t>(value);
 }
 
-std::optional<std::array<std::uint32_t, 2>> cells_of(const py::object& cells, std::uint32_t most) {
+// So many of them as a grid has directions.
+std::optional<std::vector<std::uint32_t>> cells_of(const py::object& cells, std::size_t directions,
+                                                   std::uint32_t most) {
   if (cells.is_none()) return std::nullopt;
   if (!py::isinstance<py::sequence>(cells) || py::isinstance<py::str>(cells))
     throw py::type_error("cells are two whole numbers, (nx, ny)");
-  const auto pair = py::reinterpret_borrow<py::sequence>(cells);
-  if (pair.size() != 2) throw UsageError("cells are two whole numbers, (nx, ny), not " + std::to_string(pair.size()));
-  return std::array{count_of(pair[0], most), count_of(pair[1], most)};
+  const auto given = py::reinterpret_borrow<py::sequence>(cells);
+  if (given.size() != directions)
+    throw UsageError(std::string(directions == 2 ? "cells are two whole numbers, (nx, ny)"
+                                                 : "cells of a volume are three whole numbers, (nu, nv, nw)") +
+                     ", not " + std::to_string(given.size()));
+  std::vector<std::uint32_t> counts;
+  for (std::size_t k = 0; k < directions; ++k) counts.push_back(count_of(given[k], most));
+  return counts;
 }
 
 // A grid by itself is read as that of a scene of one surface.
@@ -51,12 +58,12 @@ hottel::Scene scene_with_grid(const py::object& over, bool is_plane) {
   return scene_of(table).scene();
 }
 
-void require_room(std::uint64_t nx, std::uint64_t ny, int channels, std::optional<std::int64_t> memory) {
-  const std::uint64_t bytes = nx * ny * static_cast<std::uint64_t>(channels) * sizeof(double);
+void require_room(std::uint64_t cells, int channels, std::optional<std::int64_t> memory) {
+  const std::uint64_t bytes = cells * static_cast<std::uint64_t>(channels) * sizeof(double);
   const std::uint64_t allowed = memory_allowed(static_cast<std::uint64_t>(memory.value_or(0)));
   if (bytes > allowed)
-    throw RequestError("light on " + std::to_string(nx) + " x " + std::to_string(ny) + " cells takes " +
-                       std::to_string(bytes) + " bytes of memory; allowed are " + std::to_string(allowed));
+    throw RequestError("light on " + std::to_string(cells) + " cells takes " + std::to_string(bytes) +
+                       " bytes of memory; allowed are " + std::to_string(allowed));
 }
 
 AnySimulation in_plane(const PythonSimulation& simulation, const GridKeywords& keywords) {
@@ -69,12 +76,13 @@ AnySimulation in_plane(const PythonSimulation& simulation, const GridKeywords& k
   request.light = *kind;
   request.grid = default_grid(before.scene());
   if (!keywords.over.is_none()) request.grid = std::get<Scene2>(scene_with_grid(keywords.over, true)).grid;
-  if (const auto cells = cells_of(keywords.cells, kMaxGridCells)) {
+  if (const auto cells = cells_of(keywords.cells, 2, kMaxGridCells)) {
     if (keywords.over.is_none()) request.grid = grid_over(before.scene(), (*cells)[0], (*cells)[1]);
     request.grid->nx = (*cells)[0];
     request.grid->ny = (*cells)[1];
   }
-  require_room(request.grid->nx, request.grid->ny, channel_count(before.scene()), simulation.options().memory);
+  require_room(std::uint64_t{request.grid->nx} * request.grid->ny, channel_count(before.scene()),
+               simulation.options().memory);
   return before.with_request(std::move(request));
 }
 
@@ -102,16 +110,22 @@ AnySimulation in_space(const PythonSimulation& simulation, const GridKeywords& k
   SimulationRequest3 request = before.request();
   request.light.grid = grid_over(before.scene(), keywords.over);
   request.light.is_average = keywords.illumination == "average";
-  if (const auto cells = cells_of(keywords.cells, kMaxGridCells3)) {
-    request.light.grid->nu = (*cells)[0];
-    request.light.grid->nv = (*cells)[1];
+  Grid3& grid = *request.light.grid;
+  if (const auto cells = cells_of(keywords.cells, grid.is_volume() ? 3 : 2, kMaxGridCells3)) {
+    grid.nu = (*cells)[0];
+    grid.nv = (*cells)[1];
+    if (grid.is_volume()) grid.nw = (*cells)[2];
   }
-  require_room(request.light.grid->nu, request.light.grid->nv, channel_count(before.scene()),
-               simulation.options().memory);
+  require_room(grid.cells(), channel_count(before.scene()), simulation.options().memory);
   return before.with_request(request);
 }
 
 }  // namespace
+
+void require_planar_grid(const PythonSimulation& simulation, const py::object& over, const std::string& what) {
+  if (!simulation.is_plane() && grid_over(simulation.in_space().scene(), over).is_volume())
+    throw UsageError(what + " is of light on planar grids, and this one is a volume");
+}
 
 std::shared_ptr<const AnySimulation> gridded(const PythonSimulation& simulation, const GridKeywords& keywords) {
   return std::make_shared<const AnySimulation>(simulation.is_plane() ? in_plane(simulation, keywords)

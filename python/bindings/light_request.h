@@ -24,6 +24,9 @@ struct GridKeywords {
 // in space where there is no grid, RequestError where so many cells do not fit into memory.
 std::shared_ptr<const AnySimulation> gridded(const PythonSimulation& simulation, const GridKeywords& keywords);
 
+// Throws UsageError where that grid is a volume. what: what is of planar grids alone, "a picture".
+void require_planar_grid(const PythonSimulation& simulation, const py::object& over, const std::string& what);
+
 // What a picture or a grid shows of a scene. Throws UsageError for what is not there.
 Shown shown_of(const SceneTable& scene, const std::string& show, const std::optional<std::string>& channel,
                const std::optional<std::string>& bar);

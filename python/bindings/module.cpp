@@ -18,6 +18,7 @@ PYBIND11_MODULE(_core, module) {
   hottel::python::add_grid(module);
   hottel::python::add_graph(module);
   hottel::python::add_critical(module);
+  hottel::python::add_sights(module);
   hottel::python::add_oriented_light(module);
   hottel::python::add_plan(module);
   hottel::python::add_judgement(module);

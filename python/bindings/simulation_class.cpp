@@ -12,6 +12,7 @@
 #include "python/bindings/oriented_light.h"
 #include "python/bindings/plan.h"
 #include "python/bindings/root_sum.h"
+#include "python/bindings/sights.h"
 #include "python/bindings/simulation.h"
 #include "python/bindings/simulation_options.h"
 #include "python/bindings/simulation_picture.h"
@@ -142,6 +143,7 @@ void add_simulation(py::module_& module) {
   add_grid_questions(type);
   add_graph_questions(type);
   add_critical_questions(type);
+  add_sight_questions(type);
   add_oriented_light_questions(type);
   add_picture_questions(type);
   type.def("__repr__", &PythonSimulation::text);

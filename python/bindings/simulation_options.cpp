@@ -89,7 +89,7 @@ Simulation3 in_space(Scene3 scene, const SimulationOptions& options, const std::
   request.factors.store = store;
   request.system = {.solver = solver_of(options, false), .iterations = iterations_of(options), .until = options.until};
   request.plan.everything = options.simulate == "everything";
-  for (const Grid3& grid : scene.grids) request.plan.grid_cells += std::uint64_t{grid.nu} * grid.nv;
+  for (const Grid3& grid : scene.grids) request.plan.grid_cells += grid.cells();
   return Simulation3(std::move(scene), request);
 }
 

@@ -184,6 +184,7 @@ PythonPicture picture(const PythonSimulation& simulation, const std::string& sho
                               exposure, size,    contours, has_axes, outlines, {cells, over, illumination}};
   const PictureRequest request = request_of(simulation.scene(), asked);
   const bool has_grid = simulation.is_plane() || request.is_of_grid;
+  if (has_grid) require_planar_grid(simulation, asked.grid.over, "a picture");
   const auto version = has_grid ? gridded(simulation, asked.grid) : nullptr;
   if (!has_grid && illumination != "point") throw UsageError("illumination is of light on a grid: of='grid'");
   auto draw = without_lock(simulation.options().waiting, [&](const StageProgress& progress) {

@@ -31,6 +31,7 @@ struct ComparisonReference {
   std::vector<LightShares> lights = {};  // of the elements of `exact`
   double tolerance = 0;                  // of the exact factors that are not correctly rounded
   bool proves = false;                   // ExchangeRequest::proves, of methods that can
+  double seconds = 0;                    // that the exact factors took
 };
 
 // A scene with its exact factors and radiosities, ready to judge methods.
@@ -48,7 +49,8 @@ class MethodComparison {
         exact_(std::move(reference.exact)),
         lights_(std::move(reference.lights)),
         tolerance_(reference.tolerance),
-        proves_(reference.proves) {
+        proves_(reference.proves),
+        seconds_(reference.seconds) {
     exact_solution_ = solve(*exact_, why_no_solution_);
     reference_ = reference_errors(*exact_, tolerance_, exact_solution_);
   }
@@ -58,8 +60,9 @@ class MethodComparison {
   // throws is passed on.
   //
   //   (1) info.guarantee is what the method says of itself, or what all its factors on this scene have where that is
-  //   more (2) max_radiosity_error is nothing where there is no exact solution; it is infinite, and a note says why,
-  //       where the method's matrix has none though there is an exact one
+  //       more
+  //   (2) max_radiosity_error is nothing where there is no exact solution; it is infinite, and a note says why, where
+  //       the method's matrix has none though there is an exact one
   // Throws RequestError when the method cannot be run on the scene. COST: the runs, and one solution of its matrix.
   MethodResult run(const ExchangeMethod<Prepared>& method, const std::optional<int>& runs = {},
                    const std::function<void(double)>& progress = {}) const {
@@ -77,20 +80,7 @@ class MethodComparison {
           return result.report.seconds.value_or(seconds);
         },
         runs);
-    result.info.guarantee = std::min(result.info.guarantee, result.matrix.guarantee());
-    result.notes = result.report.notes;
-    // Of columns that are not there missing_sentences() names those to which light goes.
-    std::erase_if(result.notes, [&](const std::string& note) {
-      return std::find(result.report.gaps.begin(), result.report.gaps.end(), note) != result.report.gaps.end();
-    });
-    const bool is_read = result.report.written.has_value();
-    result.errors = matrix_errors(result.matrix, exact(), result.report.written.value_or(WrittenFactors()));
-    if (is_read)
-      for (std::string& sentence : missing_sentences(result.errors, exact()))
-        result.notes.push_back(std::move(sentence));
-    if (!std::isnan(result.errors.max)) result.errors.max = std::max(result.errors.max, reference_.max);
-    if (!std::isnan(result.errors.rms)) result.errors.rms = std::max(result.errors.rms, reference_.rms);
-    for (std::uint32_t i = 0; i < exact().size(); ++i) result.elements += exact().has_row(i);
+    judge_factors(result);
     result.declared_error = method.declared_error(prepared());
     if (!exact_solution_) return result;
 
@@ -100,6 +90,20 @@ class MethodComparison {
         result.solution ? std::max(max_radiosity_error(*result.solution, *exact_solution_), reference_.radiosity)
                         : std::numeric_limits<double>::infinity();
     if (!result.solution) result.notes.push_back(why_not);
+    return result;
+  }
+
+  // The same of the exact method, of which nothing is computed again: matrix and solution are those of the reference,
+  // and so are the seconds, of one run.
+  MethodResult reference_as_method(const ExchangeMethod<Prepared>& exact_method) const {
+    MethodResult result;
+    result.info = exact_method.info();
+    result.timing = {seconds_, seconds_, seconds_, 1};
+    result.matrix = exact();
+    judge_factors(result);
+    result.declared_error = exact_method.declared_error(prepared());
+    result.solution = exact_solution_;
+    if (exact_solution_) result.max_radiosity_error = reference_.radiosity;
     return result;
   }
 
@@ -115,6 +119,24 @@ class MethodComparison {
   }
 
  private:
+  // By its matrix and report.
+  void judge_factors(MethodResult& result) const {
+    result.info.guarantee = std::min(result.info.guarantee, result.matrix.guarantee());
+    result.notes = result.report.notes;
+    // Of columns that are not there missing_sentences() names those to which light goes.
+    std::erase_if(result.notes, [&](const std::string& note) {
+      return std::find(result.report.gaps.begin(), result.report.gaps.end(), note) != result.report.gaps.end();
+    });
+    const bool is_read = result.report.written.has_value();
+    result.errors = matrix_errors(result.matrix, exact(), result.report.written.value_or(WrittenFactors()));
+    if (is_read)
+      for (std::string& sentence : missing_sentences(result.errors, exact()))
+        result.notes.push_back(std::move(sentence));
+    if (!std::isnan(result.errors.max)) result.errors.max = std::max(result.errors.max, reference_.max);
+    if (!std::isnan(result.errors.rms)) result.errors.rms = std::max(result.errors.rms, reference_.rms);
+    for (std::uint32_t i = 0; i < exact().size(); ++i) result.elements += exact().has_row(i);
+  }
+
   std::optional<RadiositySolution> solve(const ExchangeMatrix& matrix, std::string& why_not) const {
     try {
       return solve_sources(matrix, prepared().scene.materials, sources_of(matrix, prepared().scene, lights_));
@@ -129,6 +151,7 @@ class MethodComparison {
   std::vector<LightShares> lights_;
   double tolerance_;
   bool proves_;
+  double seconds_;
   std::string why_no_solution_;
   std::optional<RadiositySolution> exact_solution_;
   ReferenceErrors reference_;

@@ -21,7 +21,8 @@ constexpr double kSecondsPerSight = 5.0e-8;      // of a vertex, from another
 constexpr double kSecondsPerPlainPair = 5.0e-7;  // that is not rounded correctly
 constexpr double kSecondsPerCell = 2.0e-7;
 constexpr double kSecondsPerCellAndSeen = 1.2e-8;
-constexpr double kSeenTogether = 220;  // cells near each other share less of what they see where more of it hides
+constexpr double kTimesOfAnAverage = 16;  // what an average over a cell costs over the light at its centre
+constexpr double kSeenTogether = 220;     // cells near each other share less of what they see where more of it hides
 constexpr double kSecondsPerShare = 1.0e-5;
 constexpr double kSecondsPerPixel = 8.0e-8;
 constexpr double kUsualSide = 1400;  // pixels along the longer side of a picture, at least
@@ -65,7 +66,7 @@ Plan plan_scene(const PreparedScene2& prepared, const PlanRequest& request) {
   draft.add_dividing(vertices * (kSecondsPerVertex + seen * kSecondsPerSight) +
                      (n > 0 ? 2 * pairs / n * halves : 0) * kSecondsPerPlainPair);
   draft.add(Plan::kIllumination, request.grid_cells > 0, counted(request.grid_cells, "cell"), "no grid is asked for",
-            cells * (kSecondsPerCell + seen * kSecondsPerCellAndSeen));
+            cells * (kSecondsPerCell + seen * kSecondsPerCellAndSeen) * (request.is_average ? kTimesOfAnAverage : 1));
   draft.add_as_asked(Plan::kPicture, request.grid_cells > 0, "the light in the rooms", "no grid is asked for",
                      request.grid_cells > 0 ? pixels_of(request) * kSecondsPerPixel : 0);
   draft.add_lights(n * kSecondsPerShare);

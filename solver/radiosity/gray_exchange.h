@@ -1,4 +1,8 @@
 // Hottel's total exchange factors (script-F) of gray diffuse faces, from view factors.
+//
+//   const Simulation2 simulation(read_scene_2("scenes/analytic/square_radiosity.json"));
+//   const ExchangeMatrix script_f = gray_exchange(simulation.factors()->matrix, simulation.scene().materials);
+//   std::printf("script-F = %.12g\n", script_f.factor("bottom", "top").value);
 #pragma once
 
 #include <cstdint>
@@ -15,7 +19,7 @@ namespace hottel {
 // Memory for one pair of the result while it is made, by which `memory` is judged.
 inline constexpr std::uint64_t kBytesPerGrayPair = 80;
 
-// Which reflectivities count, what memory there is, and whom it tells how far it is.
+// Which reflectivities count, how much memory is allowed, and who is told the progress.
 struct GrayExchangeOptions {
   int channel = 0;                            // 0 to 2: whose reflectivities are meant
   std::uint64_t memory = 0;                   // bytes the result may take, while it is made; 0: no limit

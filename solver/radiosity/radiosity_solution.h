@@ -23,7 +23,7 @@ struct ElementRadiosity {
   double lower = 0, upper = 0;  // proven bounds of the radiosity; RadiositySolution::guarantee says of which system
   double irradiance = 0;        // sum_j F_ij B_j of these radiosities, and D_i; where there is no reflection too
   double net_lower = 0, net_upper = 0;  // proven bounds of radiosity - irradiance, of that system
-  double net_value = 0;                 // within them, without what cancels in the difference of two doubles
+  double net_value = 0;                 // within them; does not lose digits as the difference of two doubles does
 
   // Returns the difference of these two doubles, rounded once: what is printed as net.
   double net() const { return radiosity - irradiance; }

@@ -1,4 +1,14 @@
 // Radiosities of one scene for one light after another.
+//
+//   const Simulation2 simulation(read_scene_2("scenes/analytic/square_radiosity.json"));
+//   const auto factors = simulation.factors();
+//   const Scene2& scene = simulation.scene();
+//   const RadiositySolver solver({factors, &factors->matrix}, reflectivities_of(scene.materials));
+//   RadiositySources sources = sources_of(factors->matrix, scene.materials, scene.sky_emission);
+//   for (const double emission : {1.0, 2.0, 3.0}) {
+//     sources.emission[*factors->matrix.find("top")] = SourceSpectrum::scalar({emission, emission});
+//     std::printf("B = %.6g\n", solver.solve(sources).channels[0].elements[*factors->matrix.find("top")].radiosity);
+//   }
 #pragma once
 
 #include <functional>
@@ -14,21 +24,23 @@
 namespace hottel {
 
 // Solves B_i = E_i + rho_i (sum_j F_ij B_j + D_i) in every channel, for view factors F and reflectivities rho that stay
-// and for as many emissions E and direct irradiances D as one likes. What is factored is factored when it is first
-// needed, and kept.
+// and for as many emissions E and direct irradiances D as one likes. The solver factors the system when it first needs
+// it, and keeps the factorization.
 //
-//   (1) lower <= true B <= upper in every element, the true B being that of the exact reflectivities and factors and of
-//       any sources within their enclosures; where some factors are enclosed and none is estimated, of any factors
-//       within their bounds, or those whose rows sum to 1 where the matrix has closed rows; where some are estimated,
-//       of the doubles that the matrix holds. The last says nothing of the scene: `guarantee` is then kEstimated, else
-//       kEnclosed
+//   (1) lower <= true B <= upper in every element, for the exact reflectivities and any sources within their
+//       enclosures. Which factors the true B belongs to depends on the weakest of them:
+//         exact       the real factors
+//         enclosed    any factors within their bounds; where the matrix has closed rows, those whose rows sum to 1
+//         estimated   the doubles that the matrix holds. That says nothing of the scene
+//       `guarantee` is kEstimated in the last case, else kEnclosed
 //   (2) lower = upper = 0 = B where no light reaches; B = E within half an ulp where rho = 0 and E is exact; lower is
 //       never below the largest double that is not above E, net_upper never above the smallest that is not below it
 //       (unless a factor is negative)
-//   (3) widths of a few ulps after cholesky and cg, or up to 3 n ulps for n unknowns where doubles do not do
-//       (high_precision_elimination.h), for any distance of rho from 1 and for elements that next to no light reaches;
-//       where factors or sources are enclosed a few ulps more than the radiosities differ that they allow, and infinite
-//       where for some factors light need not die out (enclosed_radiosity.h)
+//   (3) bounds are a few ulps wide after cholesky and cg, or up to 3 n ulps for n unknowns where doubles do not do
+//       (high_precision_elimination.h). That holds for any distance of rho from 1, and for elements that next to no
+//       light reaches. Where factors or sources are enclosed, bounds are a few ulps wider than the range of the
+//       radiosities that those allow; they are infinite where some factors within the bounds would let light go round
+//       for ever (enclosed_radiosity.h)
 //   (4) each component is bounded on its own scale, whatever shines elsewhere; a note names faces that remain wide
 //       relative to themselves (loose_bounds.h)
 //   (5) irradiance is that of the radiosities as given, and D, so net() is what they exchange less D; where iterations
@@ -40,9 +52,8 @@ namespace hottel {
 //   (9) solve() may be called by many threads at once
 //   (10) where sources are withdrawn the system is solved twice, and bounds are subtracted (signed_radiosity.h):
 //       (2) and (3) then hold of both solutions, not of their difference, which may be below 0
-//
-//   (11) in two bands the solar one is solved first, and what faces gain in it that keep their gains is a source of the
-//       thermal one (band_gains.h); bounds hold of both together
+//   (11) in two bands the solar one is solved first. Of faces that keep their gains, what they gain there is a source
+//       of the thermal one (band_gains.h); bounds hold of both together
 //
 // There are two channels in two bands, else three unless all reflectivities and all sources are scalars.
 class RadiositySolver {
@@ -57,19 +68,23 @@ class RadiositySolver {
   RadiositySolver& operator=(RadiositySolver&&) noexcept;
 
   const ExchangeMatrix& matrix() const;
-  // Seconds that the constructor took for the systems. Those of a solution are of its call alone.
+  // Seconds that the constructor took. Those of a solution are of its call alone, and count its factorizations.
   double seconds() const;
 
-  // Throws RequestError when a component with reflectivity 1 throughout and no way out emits or is shone on directly
-  // (one that does not is 0, with a note), when an upper bound of an exact matrix is infinite (factors that underflow,
-  // or more light than doubles can tell), when rows do not sum to 1 and the spectral radius cannot be shown to be below
-  // 1, and when cholesky or cg are asked of such a matrix, which is not symmetric; ContractViolation where there are
-  // not as many emissions as elements, or neither as many direct irradiances nor none. `progress` gets the fraction
-  // done; it is called by this thread and may throw to stop.
-  // COST: the first time one factorization a distinct reflectivity vector, n^3 / 3 for a component of n unknowns, which
-  // keeps 8 n^2 bytes (conjugate gradients factor nothing); then a few passes over the matrix a channel. Three times
-  // the passes where some source is wider than a few ulps; and three times all of it where the weakest factor is
-  // enclosed.
+  // Throws RequestError when
+  //
+  //   a component with reflectivity 1 throughout and no way out emits or is shone on directly (one that does not is 0,
+  //   with a note),
+  //   an upper bound of an exact matrix is infinite (factors that underflow, or more light than doubles can tell),
+  //   rows do not sum to 1 and the spectral radius cannot be shown to be below 1,
+  //   cholesky or cg are asked of such a matrix, which is not symmetric;
+  //
+  // ContractViolation unless there are as many emissions as elements, and as many direct irradiances or none.
+  // `progress` gets the fraction done; it is called by this thread and may throw to stop.
+  // COST: the first time one factorization for each distinct reflectivity vector, n^3 / 3 for a component of n
+  // unknowns, which keeps 8 n^2 bytes (conjugate gradients factor nothing); then a few passes over the matrix for each
+  // channel. Three times the passes where some source is wider than a few ulps; three times all of it where the weakest
+  // factor is enclosed.
   RadiositySolution solve(const RadiositySources& sources, const std::function<void(double)>& progress = {}) const;
 
  private:

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "geometry/sky_by_closure.h"
@@ -29,6 +30,12 @@ constexpr double kSecondsPerMap = 3.0e-6;    // of a cell, by polygon
 constexpr double kSecondsPerPart = 1.0e-6;   // of a cell, by element
 constexpr double kSecondsPerShare = 1.0e-4;  // of a light, by polygon
 constexpr double kSecondsPerPixel = 1.5e-7;
+constexpr double kSecondsPerGathered = 1.5e-6;  // of a point where light is gathered, by polygon
+constexpr double kSecondsPerRun = 2.1e-5;       // of the same, where radiosity runs over elements; by their number
+constexpr double kPowerOfRuns = 0.3;            // to this power: most are seen whole, and far away
+constexpr double kGatheredPoints = 1.6;         // of a picture, by its pixels
+constexpr double kPowerOfPixels = 0.7;          // to this power: points stand close where light changes, along lines
+constexpr double kPairsOfACell = 2;  // what averages over a cell cost over pairs of a row: less of it is clear
 // Pairs of faces that are looked at to tell how many face each other.
 constexpr std::size_t kMostLookedAt = 2000;
 
@@ -100,15 +107,35 @@ double seconds_per_map(const Scene3& scene, std::uint64_t rows) {
          (is_divided(scene) ? static_cast<double>(rows) * kSecondsPerPart : 0);
 }
 
-// Light between the faces, and on them.
-void add_light(const Scene3& scene, const PlanRequest& request, std::uint64_t rows, PlanDraft& draft) {
-  draft.add_as_asked(Plan::kIllumination, request.grid_cells > 0,
-                     "light between the faces, " + counted(request.grid_cells, "cell"), "no grid is asked for",
-                     static_cast<double>(request.grid_cells) * seconds_per_map(scene, rows));
+// Of a point of a face, where light is gathered.
+double seconds_per_gathered(const Scene3& scene, std::uint64_t rows) {
+  return static_cast<double>(scene.polygons.size()) * kSecondsPerGathered +
+         (is_divided(scene) ? std::pow(static_cast<double>(rows), kPowerOfRuns) * kSecondsPerRun : 0);
+}
+
+void add_picture(const Scene3& scene, const PlanRequest& request, std::uint64_t rows, PlanDraft& draft) {
   const Camera3 usual, &camera = scene.camera ? *scene.camera : usual;
-  draft.add(Plan::kPicture, !scene.surfaces.empty(),
-            scene.camera ? "what the camera sees" : "what a camera chosen for the scene sees", "the scene is empty",
-            static_cast<double>(camera.width) * camera.height * kSecondsPerPixel);
+  const double pixels = static_cast<double>(camera.width) * camera.height;
+  const double gathered =
+      request.is_gathered ? kGatheredPoints * std::pow(pixels, kPowerOfPixels) * seconds_per_gathered(scene, rows) : 0;
+  const std::string who = scene.camera ? "what the camera sees" : "what a camera chosen for the scene sees";
+  draft.add(Plan::kPicture, !scene.surfaces.empty(), who + (request.is_gathered ? ", its light gathered" : ""),
+            "the scene is empty", pixels * kSecondsPerPixel + gathered);
+}
+
+// Light between the faces, and on them. seconds_per_row: what the factors of a row take.
+void add_light(const Scene3& scene, const PlanRequest& request, std::uint64_t rows, double seconds_per_row,
+               PlanDraft& draft) {
+  const double seconds_per_cell =
+      request.is_average ? kPairsOfACell * seconds_per_row + kSecondsPerPolygon : seconds_per_map(scene, rows);
+  draft.add_as_asked(
+      Plan::kIllumination, request.grid_cells > 0,
+      (request.is_average ? "the irradiance of " : "light between the faces, ") + counted(request.grid_cells, "cell"),
+      "no grid is asked for", static_cast<double>(request.grid_cells) * seconds_per_cell);
+  add_picture(scene, request, rows, draft);
+  if (request.texels > 0)
+    draft.add_as_asked(Plan::kTexels, true, "light gathered at " + counted(request.texels, "point") + " of a face", "",
+                       static_cast<double>(request.texels) * seconds_per_gathered(scene, rows));
   draft.add_lights(static_cast<double>(scene.surfaces.size()) * kSecondsPerShare);
   draft.add_movement(has_moving_lights(scene));
 }
@@ -147,7 +174,9 @@ Plan plan_scene(const PreparedScene3& prepared, const PlanRequest& request, SkyB
   draft.add_unreachable(is_room);
   draft.add_dividing(4 * std::min<double>(static_cast<double>(faces.rows()), kMostDivided3) *
                      seconds_per_map(scene, faces.rows()));
-  add_light(scene, request, faces.rows(), draft);
+  const double of_all = plain + std::max(0.0, cost.pairs - cost.plain) + (is_by_closure ? 0 : cost.sky);
+  const double rows = std::max<double>(1, static_cast<double>(faces.rows()));
+  add_light(scene, request, faces.rows(), 2 * of_all / rows, draft);
   return draft.take();
 }
 

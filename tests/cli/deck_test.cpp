@@ -219,7 +219,7 @@ TEST_F(Deck, AMaskIsASurfaceOfEveryCommand) {
   EXPECT_EQ(text_of("again.vs3"), text_of("m.vs3"));
   const Outcome mesh = run("convert m.vs3 m.obj");
   EXPECT_EQ(mesh.code, 1);
-  EXPECT_THAT(mesh.err, HasSubstr("'bottom' is a mask, which a mesh cannot say"));
+  EXPECT_THAT(mesh.err, HasSubstr("'bottom' is a mask, which a mesh file cannot hold"));
 }
 
 TEST_F(Deck, ItsRowAndColumnAreObeyed) {

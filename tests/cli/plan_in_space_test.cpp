@@ -58,6 +58,30 @@ TEST(PlanInSpace, ElementsAreDividedAsAskedFor) {
   EXPECT_THAT(place.run("hottel plan --element-size 1/3 " + cube).out, HasSubstr("54 rows, about 1215 pairs"));
 }
 
+// What light costs by the way it is asked for: more where it is gathered, or averaged over cells.
+TEST(PlanInSpace, CountsGatheredLightTexelsAndAverages) {
+  const Workplace place;
+  const auto seconds = [&](const std::string& asked, const std::string& effect) {
+    const Outcome outcome = place.run("hottel plan --json " + asked);
+    const auto json = nlohmann::json::parse(outcome.out);
+    for (const auto& each : json["plan"])
+      if (each["effect"] == effect) return each["seconds_estimate"].get<double>();
+    return 0.0;
+  };
+  const std::string boxes = scene_file("two_boxes.json");
+  EXPECT_GT(seconds(boxes + " --shading gathered", "picture"), 3 * seconds(boxes, "picture"));
+  EXPECT_GT(seconds(boxes + " --elements 4 --shading gathered", "picture"),
+            2 * seconds(boxes + " --shading gathered", "picture"));
+  EXPECT_EQ(seconds(boxes, "texels"), 0);
+  const double few = seconds(boxes + " --texels floor=20x20", "texels");
+  EXPECT_NEAR(seconds(boxes + " --texels floor=40x40", "texels"), 4 * few, 0.5 * few);
+  std::string scene = testing_cli::contents(std::string(HOTTEL_SOURCE_DIR) + "/scenes/space/two_boxes.json");
+  scene.replace(scene.find("\"closed\""), 8,
+                R"("grid": {"origin": [0, 0, 1], "u": [5, 0, 0], "v": [0, 5, 0], "cells": [8, 8]}, "closed")");
+  place.write("boxes.json", scene);
+  EXPECT_GT(seconds("boxes.json --illumination average", "illumination"), 10 * seconds("boxes.json", "illumination"));
+}
+
 TEST(PlanInSpace, AGridIsThatOfTheScene) {
   const Workplace place;
   const Outcome outcome = place.run("hottel plan --grid 3x3 " + scene_file("cube.json"));

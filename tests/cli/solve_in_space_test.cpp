@@ -278,6 +278,32 @@ TEST(SolveInSpace, ThePictureHasTheSizeAndTheToneAskedFor) {
   EXPECT_THAT(blind.err, HasSubstr("the camera's eye is in the solid"));
 }
 
+TEST(SolveInSpace, LightInAVolumeHasAFileForParaViewAndNoPicture) {
+  const Workplace place;
+  std::string scene = contents(scene_file("cube.json"));
+  scene.replace(scene.find("\"closed\""), 8,
+                R"("grid": [{"name": "air", "origin": [0, 0, 0], "u": [1, 0, 0], "v": [0, 1, 0], "w": [0, 0, 1],
+                             "cells": [3, 2, 4]},
+                            {"name": "level", "origin": [0, 0, 0.5], "u": [1, 0, 0], "v": [0, 1, 0], "cells": [3, 2]}],
+                   "closed")");
+  place.write("cube.json", scene);
+  const Outcome outcome = place.run("hottel solve cube.json -o out --show irradiance --views seen.mtx");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(place.read("out/illumination-air.npy"), HasSubstr("'shape': (4, 2, 3, 1)"));
+  const auto sidecar = nlohmann::json::parse(place.read("out/illumination-air.npy.json"));
+  EXPECT_EQ(sidecar["axes"], (std::vector<std::string>{"w", "v", "u", "channel"}));
+  EXPECT_EQ(sidecar["region"]["w"], (std::vector<double>{0, 0, 1}));
+  EXPECT_THAT(place.read("out/illumination-air.vti"), HasSubstr("WholeExtent=\"0 3 0 2 0 4\""));
+  EXPECT_THAT(place.read("seen-air.mtx"), HasSubstr("3 x 2 x 4 cells"));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("shown-level.npy"), Not(HasSubstr("shown-air")),
+                                 HasSubstr("illumination-level.png"), Not(HasSubstr("illumination-air.png"))));
+  EXPECT_THAT(place.run("hottel plan cube.json --grid 2x2x2").out, HasSubstr("14 cells"));
+  EXPECT_THAT(place.run("hottel solve cube.json -o out --illumination average").err, HasSubstr("has none"));
+  EXPECT_THAT(place.run("hottel solve cube.json -o out --grid 2x2x2x2").err, HasSubstr("--grid takes"));
+  EXPECT_THAT(place.run("hottel compare cube.json -o compared --grid-file out/illumination-air.npy").err,
+              HasSubstr("is light in a volume"));
+}
+
 TEST(SolveInSpace, LightOnAPlanarGridIsWrittenAsInThePlane) {
   const Workplace place;
   std::string scene = contents(scene_file("cube.json"));

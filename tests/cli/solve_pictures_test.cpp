@@ -171,7 +171,7 @@ TEST(SolvePictures, WhatIsNotThereIsRefused) {
     for (const auto& [options, message] :
          {std::pair{"--show heat", "nothing that can be shown is called 'heat'"},
           std::pair{"--show temperature", "no face of "}, std::pair{"--show factor:nobody", "is called 'nobody'"},
-          std::pair{"--show net --tone linear", "--tone and --exposure are of --show light"},
+          std::pair{"--show net --tone linear", "--tone and --exposure need --show light"},
           std::pair{"--show sky --channel r", "--channel goes with --show radiosity, irradiance or net"},
           std::pair{"--channel r", "--channel goes with"}, std::pair{"--show net --channel r", "has one channel"},
           std::pair{"--render room.gif", "a picture is written as .png, .svg, .pdf, .exr or .npy"},

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "tests/cli/csv_table.h"
 #include "tests/cli/program.h"
 
 namespace hottel::space_test {
@@ -95,6 +96,31 @@ TEST(Space, PointsSeeFacesAsLargeAsTheirAnglesAre) {
     sum += std::stod(lines[k].substr(lines[k].rfind(',') + 1));
   }
   EXPECT_NEAR(sum, 4 * std::numbers::pi, 1e-13);
+}
+
+// Proven: the same faces, each number within bounds a few units of the last place apart.
+TEST(Space, PointsSeeFacesWithinProvenBounds) {
+  const Workplace place;
+  place.write("room.json", contents(scene_file("two_boxes.json")));
+  place.write("p.csv", "1,1,1.5\n3,2.5,0.25\n1/3,1/7,2\n");
+  const Outcome plain = place.run("hottel visibility room.json --points p.csv");
+  const Outcome proven = place.run("hottel visibility room.json --points p.csv --guarantee enclosed");
+  ASSERT_EQ(proven.code, 0) << proven.err;
+  const std::vector<std::string> before = lines_of(plain.out), lines = lines_of(proven.out);
+  ASSERT_EQ(lines.size(), before.size());
+  EXPECT_EQ(lines[0], "point,x,y,z,face,fraction,lower,upper,solid_angle");
+  for (std::size_t k = 1; k < lines.size(); ++k) {
+    const std::vector<std::string> cells = testing_cli::cells_of(lines[k]), then = testing_cli::cells_of(before[k]);
+    ASSERT_EQ(cells.size(), 9u);
+    EXPECT_EQ(cells[4], then[4]);
+    const double fraction = std::stod(cells[5]), lower = std::stod(cells[6]), upper = std::stod(cells[7]);
+    EXPECT_LT(lower, upper);
+    EXPECT_LE(lower, fraction);
+    EXPECT_GE(upper, fraction);
+    EXPECT_LE(upper - lower, 1e-15 * fraction);
+    EXPECT_NEAR(fraction, std::stod(then[5]), 1e-14);
+    EXPECT_EQ(std::stod(cells[8]), 4 * std::numbers::pi * fraction);
+  }
 }
 
 TEST(Space, PointsOfSpaceThatAreWrongAreRefused) {

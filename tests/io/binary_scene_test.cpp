@@ -98,8 +98,8 @@ TEST(BinaryScene, OfAnotherLayoutOrDamagedAnywhereIsRefused) {
     EXPECT_NE(why(bytes.substr(0, k)), "") << k;
   }
   std::string other = bytes;
-  other[14] = 2;
-  EXPECT_THAT(why(other), HasSubstr("of the layout 2, and this hottel reads 1"));
+  other[14] = 1;
+  EXPECT_THAT(why(other), HasSubstr("of the layout 1, and this hottel reads 2"));
   EXPECT_NE(why(bytes + "x"), "");
 }
 

@@ -48,6 +48,17 @@ TEST(ZipFile, EntriesStandInOrderAsTheyAreWithTheirChecksums) {
   EXPECT_EQ(number(bytes, second + 42, 4), 44u);
 }
 
+TEST(ZipFile, BytesThatDoNotLieInMemoryGiveTheSameArchive) {
+  std::string bytes;
+  ZipWriter zip([&](std::string_view part) { bytes += part; });
+  zip.add("a.txt", [](const ZipWriter::Sink& sink) {
+    sink("1234");
+    sink("56789");
+  });
+  zip.finish();
+  EXPECT_EQ(bytes, archive({{"a.txt", "123456789"}}));
+}
+
 TEST(ZipFile, AnEmptyArchiveIsItsEnd) { EXPECT_EQ(archive({}).size(), 22u); }
 
 TEST(ZipFile, SameEntriesGiveSameBytes) { EXPECT_EQ(archive({{"x", "y"}}), archive({{"x", "y"}})); }

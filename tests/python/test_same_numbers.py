@@ -359,3 +359,88 @@ def test_critical_lines_are_those_of_the_program(scene):
         assert line["along"] == found.along[k]
         assert tuple(line[side] for side in sides) == found.met[k]
         assert tuple(line[f"from_{side}"] for side in sides) == found.seen[k]
+
+
+def test_what_a_face_in_space_sees_is_that_of_the_program():
+    scene = "scenes/space/two_boxes.json"
+    _, text, _ = run_program("visibility", scene, "--face", "lamp", "--json")
+    sight = hottel.Simulation(hottel.read_scene(scene)).faces_seen_by("lamp")
+    answer = json.loads(text)
+    wanted = [(each["face"], not each["hidden_in_part"]) for each in answer["faces"]]
+    found = list(zip(sight.names, sight.is_whole))
+    assert [each for each in found if each[0] != "sky"] == wanted and len(wanted) > 3
+    assert ("sky" in sight.names) == answer["sees_sky"]
+
+
+def test_event_surfaces_are_those_of_the_program():
+    scene = "scenes/space/two_boxes.json"
+    code, listed, message = run_program("visibility", scene, "--events", "--from", "lamp", "--to", "floor")
+    assert code == 0, message
+    events, lines = hottel.Simulation(hottel.read_scene(scene)).event_surfaces("lamp", "floor"), table_of(listed)
+    assert len(lines) == len(events.t) == events.begin[-1] and "EEE" in events.kinds
+    def numbers(text):
+        return [float(x) for x in text.replace(";", " ").split()]
+    for e, kind in enumerate(events.kinds):
+        for k in range(events.begin[e], events.begin[e + 1]):
+            line = lines[k]
+            assert (line["event"], line["kind"]) == (str(e), kind) and float(line["t"]) == events.t[k]
+            assert [float(line[x]) for x in ("x0", "y0", "z0", "x1", "y1", "z1")] == events.rulings[k].ravel().tolist()
+            assert numbers(line["edge"]) == events.edges[e].ravel().tolist()
+            assert "|".join(events.edge_of[e]) == line["edge_of"]
+            assert "|".join(events.crossing[e]) == line["crossing"]
+            if kind == "EV":
+                assert numbers(line["vertex"]) == events.vertices[e].tolist()
+            else:
+                assert all(map(math.isnan, events.vertices[e]))
+            for other, name in zip(events.others[e], ("edge_2", "edge_3")):
+                assert numbers(line[name]) == other.ravel().tolist() if line[name] else math.isnan(other[0, 0])
+
+
+def test_light_in_a_volume_is_that_of_the_program(tmp_path):
+    scene = json.loads((ROOT / "scenes/space/two_boxes.json").read_text())
+    scene["grid"] = {"origin": [0, 0, 0], "u": [5, 0, 0], "v": [0, 5, 0], "w": [0, 0, 5], "cells": [4, 3, 2]}
+    file = tmp_path / "volume.json"
+    file.write_text(json.dumps(scene))
+    code, _, message = run_program("solve", str(file), "-o", str(tmp_path / "out"), "--no-picture")
+    assert code == 0, message
+    grid = hottel.Simulation(hottel.read_scene(file)).grid()
+    assert grid.values.shape == (2, 3, 4, 3) and grid.centres.shape == (2, 3, 4, 3)
+    assert numpy.array_equal(grid.values, numpy.load(tmp_path / "out/illumination.npy"), equal_nan=True)
+    assert grid.centres[1, 0, 3].tolist() == [4.375, 0.8333333333333334, 3.75]
+    other = hottel.Simulation(hottel.read_scene(file))
+    assert other.grid((1, 1, 1)).values.shape == (1, 1, 1, 3)
+    for wrong in ({"cells": (2, 2)}, {"show": "sky"}, {"illumination": "average"}):
+        with pytest.raises(hottel.UsageError):
+            other.grid(**wrong)
+
+
+def test_arrays_of_what_points_in_space_see_are_those_of_the_program(tmp_path):
+    scene, points = "scenes/space/two_boxes.json", ["1,1,1.5", "1/5,0.15,0.6", "9,9,9"]
+    (tmp_path / "points.csv").write_text("\n".join(points))
+    seen = {}
+    for kind, options in (("npz", ["--pieces"]), ("vtu", []), ("csv", [])):
+        file = tmp_path / f"seen.{kind}"
+        code, _, message = run_program("visibility", scene, "--points", str(tmp_path / "points.csv"), "-o", str(file), *options)
+        assert code == 0, message
+        seen[kind] = file
+    found = hottel.Simulation(hottel.read_scene(scene)).visible([[1, 1, 1.5], [0.2, 0.15, 0.6], [9, 9, 9]])
+    lines = table_of(seen["csv"].read_text())
+    with numpy.load(seen["npz"]) as arrays:
+        assert arrays["xyz"].tolist() == [[1, 1, 1.5], [0.2, 0.15, 0.6], [9, 9, 9]]
+        assert (arrays["solid"] == -1).all() and len(arrays["begin"]) == 4
+        assert [float(line["solid_angle"]) for line in lines] == arrays["solid_angle"].tolist()
+        assert [line["face"] for line in lines] == arrays["names"][arrays["face"]].tolist()
+        pieces = 0
+        for k in range(3):
+            for m in range(arrays["begin"][k], arrays["begin"][k + 1]):
+                name = arrays["names"][arrays["face"][m]]
+                assert same(float(lines[m]["fraction"]), found[k][name])
+                own = [piece for piece in found.pieces(k) if piece[0] == name] if name != "sky" else []
+                assert len(own) == arrays["piece_begin"][m + 1] - arrays["piece_begin"][m]
+                for piece, p in zip(own, range(arrays["piece_begin"][m], arrays["piece_begin"][m + 1])):
+                    corners = slice(arrays["corner_begin"][p], arrays["corner_begin"][p + 1])
+                    assert numpy.array_equal(piece[1], arrays["direction"][corners])
+                    assert numpy.array_equal(piece[2], arrays["place"][corners])
+                    pieces += 1
+        assert pieces == len(arrays["corner_begin"]) - 1 > 30
+        assert f'NumberOfCells="{pieces}"'.encode() in seen["vtu"].read_bytes()

@@ -308,6 +308,13 @@ def test_critical_points_of_what_has_none(simulation):
     for ask in (cube.critical_lines, lambda: cube.critical_points("floor", "ceiling")):
         with pytest.raises(hottel.UsageError, match="in the plane"):
             ask()
+    for ask in (lambda: simulation.faces_seen_by("floor"), lambda: simulation.event_surfaces("floor", "ceiling")):
+        with pytest.raises(hottel.UsageError, match="in space"):
+            ask()
+    for ask in (lambda: cube.faces_seen_by("sky"), lambda: cube.event_surfaces("floor", "sky"),
+                lambda: cube.faces_seen_by("nobody")):
+        with pytest.raises(hottel.UsageError):
+            ask()
     far = hottel.Scene({"dimension": 2, "materials": {"m": {}}, "edges": [
         {"name": name, "material": "m", "points": [[0, y], ["1e400", y]]} for name, y in (("a", 0), ("b", 1))]})
     with pytest.raises(hottel.RequestError, match="range of doubles"):

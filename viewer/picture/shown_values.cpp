@@ -323,6 +323,8 @@ bool is_of_points(const Shown& shown) {
   return row_of(shown).name_at_points != nullptr && (shown.quantity != Quantity::kFactor || shown.toward == "sky");
 }
 
+bool needs_a_side(const Shown& shown) { return is_of_points(shown) && shown.quantity != Quantity::kTemperature; }
+
 namespace {
 
 double value_at_point(const Shown& shown, const OrientedLight& light) {

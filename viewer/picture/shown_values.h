@@ -91,6 +91,10 @@ std::optional<Shown> shown_called(const std::string& name, const std::vector<std
 // and the view factor to the sky.
 bool is_of_points(const Shown& shown);
 
+// Whether it is one of points for areas that look some way: irradiance, and the view factor to the sky. A volume has
+// none.
+bool needs_a_side(const Shown& shown);
+
 // Makes two scales, of values on faces and at points, one that is fitted to both: all faces together count as much as
 // all points. The title of the first tells it.
 void share_scale(const Shown& shown, ShownValues& faces, ShownValues& points);

@@ -1,4 +1,10 @@
 // Scenes in the plane, made in code.
+//
+//   SceneBuilder2 scene;
+//   scene.add_material("white", {.reflectivity = "0.7"}).add_material("glow", {.emission = 10});
+//   scene.add_polyline("room", {{0, 0}, {0, 3}, {4, 3}, {4, 0}}, "white", {.closed = true});
+//   scene.add_edge("lamp", {1, "2.9"}, {"4/3", "2.9"}, "glow", {.back = "white"});
+//   std::printf("F = %.12g\n", view_factor(Simulation2(scene.build()), "lamp", "room[3]").value);
 #pragma once
 
 #include <cstdint>
@@ -35,7 +41,7 @@ struct MaterialOptions {
   TypedSpectrum emissivity = {}, temperature = {};
   bool insulated = false;   // reflectivity 1 and emission 0; excludes all others
   TypedSpectrum flux = {};  // the net flux [W/m²], one number of any sign, with one emissivity above 0
-  bool two_sided = false;   // edges with it have it on their backs too, but for those with a back of their own
+  bool two_sided = false;   // its edges have it on their backs too, unless they have one of their own or are patches
 };
 
 // What edges and polylines may have beside points and a material, as in a scene file.
@@ -53,9 +59,9 @@ struct PolylineOptions2 {
   std::string on = {};
 };
 
-// Makes a scene step by step. What is said twice, or cannot be, is refused at once.
+// Makes a scene step by step. It refuses at once what is said twice, or cannot be.
 //
-//   (1) build() gives the scene that a file of the same entries gives, but for lines, which are 0: edges first, then
+//   (1) build() gives the scene that a file of the same entries gives, but all line numbers are 0: edges first, then
 //       polylines, each in the order in which they were added; materials and groups in that order too
 //   (2) names are as in a file: pieces of a polyline are NAME[k]; an empty name is "edge[k]" or "polyline[k]", k its
 //       place among edges or polylines, from 0
@@ -67,7 +73,7 @@ struct PolylineOptions2 {
 // docs/scene_format.md does not allow; build() for names that are not unique.
 class SceneBuilder2 {
  public:
-  // title: what messages call the scene.
+  // title: messages call the scene so.
   explicit SceneBuilder2(std::string title = "scene made in code");
 
   // A material comes before the edges that have it.
@@ -80,12 +86,13 @@ class SceneBuilder2 {
   SceneBuilder2& set_sky(const TypedSpectrum& emission);
   // The same by its temperature [K]: it sends out sigma T⁴.
   SceneBuilder2& set_sky_temperature(const TypedSpectrum& temperature);
-  // Where light is asked for.
+  // The grid on which light is computed.
   SceneBuilder2& set_grid(const TypedPoint2& min, const TypedPoint2& max, std::uint32_t nx, std::uint32_t ny);
-  // Whether it is promised that no front with a material sees the sky.
+  // Promises that no front with a material sees the sky, or takes the promise back.
   SceneBuilder2& set_closed(bool closed = true);
   SceneBuilder2& set_about(std::string about);
-  // What one unit of length is called where lengths are shown; nothing is converted.
+  // The unit of length, as "unit" of a scene file: "mm". Coordinates stay as typed; areas and powers of results are in
+  // SI where hottel knows the unit (unit_of_length.h). Without it: m.
   SceneBuilder2& set_unit(std::string unit);
 
   // The scene, valid. The builder keeps what it has: more may be added, and another scene made.

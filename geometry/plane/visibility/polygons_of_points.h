@@ -1,4 +1,10 @@
 // What many points see: the visibility polygon of each, corners as correctly rounded doubles.
+//
+//   const Simulation2 simulation(read_scene_2("scenes/analytic/strip_obstructed.json"));
+//   const std::vector<Point2> points = {{0, Rational(1, 2)}, {0, Rational(3, 2)}};
+//   for (const RoundedPolygon2& polygon : visibility_polygons(*simulation.prepared(), points))
+//     for (const auto& [x, y, after] : polygon.corners)
+//       std::printf("%g %g %s\n", x, y, polygon_side_name(*simulation.prepared(), after).c_str());
 #pragma once
 
 #include <functional>

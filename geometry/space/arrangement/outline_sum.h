@@ -19,12 +19,12 @@ class OutlineSum3 {
   void add(const IntegerVector& from, const IntegerVector& to, long factor = 1);
 
   bool is_zero() const { return !open_end(); }
-  // A point that is not as often an end as a beginning on some line; nothing where the sum is zero.
+  // Returns a point that on some line is not as often an end as a beginning; nothing where the sum is zero.
   std::optional<IntegerVector> open_end() const;
 
  private:
-  // A point of a line: the direction of the line, the first coordinate that is not zero positive, its moment, and how
-  // far along it the point is.
+  // A point of a line: the line's direction (its first coordinate that is not zero is positive), the line's moment, and
+  // how far along the line the point is.
   struct Key {
     IntegerVector way, moment;
     Integer place;

@@ -11,9 +11,9 @@
 
 namespace hottel {
 
-// What the edges of a scene tell of it.
+// What the edges of a scene show about its meshes.
 struct Meshes3 {
-  // A hole: edges that no other polygon of the group has, joined to each other, and that lie on nothing.
+  // A hole: joined edges, each of one polygon of the group alone, that lie on nothing.
   struct Hole {
     std::uint32_t group = 0;  // of a body the first
     std::string name;         // of the group, or the body
@@ -33,7 +33,7 @@ struct Meshes3 {
   std::vector<char> is_closed, is_room;  // by group: each edge is used as often in one direction as in the other; and
                                          // its fronts look inward
   std::vector<EdgeStretch3> bare;        // edges of one polygon of the scene that lie on nothing else
-  std::optional<Gap> leak;               // where light leaves through; not told by find_meshes
+  std::optional<Gap> leak;               // where light leaks out; find_meshes leaves it empty
 };
 
 // Looks at the edges of a scene, T-junctions and all. Exact.
@@ -42,7 +42,6 @@ struct Meshes3 {
 //       sheet that stands free has them, a box without a bottom on a floor has none
 //   (2) an edge lies on something when polygons of others cover all of it
 //   (3) reversing all polygons that are `reversed` leaves none
-//
 //   (4) groups of one body of which none is closed are looked at as one
 //
 // COST: O(n log n), and exact arithmetic for edges of one polygon and what their boxes meet.

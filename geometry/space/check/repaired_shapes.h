@@ -8,27 +8,28 @@
 
 namespace hottel {
 
-// Whether its coordinates are so long that shorter ones nearby would do.
+// True iff a point has coordinates so long that shorter ones nearby would do.
 bool is_long(const Point3& p);
 
-// Returns a point inside the side next to the foot of p, with few decimals along the side, hardly farther from p than
-// the foot.
+// Returns a point inside the side near the foot of p, with few decimals along the side. It is hardly farther from p
+// than the foot is.
 Point3 short_point_near(const Side3& side, const Point3& p, const ClosestPoint3& closest);
 
-// Returns a point of the plane of the polygon next to the foot of p, with few decimals along two of its sides, hardly
-// farther from p than the foot. REQUIRES a polygon with an area. It may lie beside a polygon whose edge is nearer.
+// Returns a point of the polygon's plane near the foot of p, with few decimals along two of its sides. It is hardly
+// farther from p than the foot is, and may lie outside of the polygon if an edge is nearer. REQUIRES a polygon with an
+// area.
 //
-//   (1) its coordinates are decimals where those of the polygon are: points that are put onto what was put onto
-//       something share their denominators
+//   (1) its coordinates are decimals where those of the polygon are: a repair may put points onto a polygon that it has
+//       put onto another one, and all share their denominators
 Point3 short_point_near(const Polygon3& polygon, const Point3& p, const ClosestPoint3& closest);
 
-// Returns the ring without points that follow on themselves.
+// Returns the ring without points that repeat the one before.
 std::vector<Point3> without_repetitions(const std::vector<Point3>& ring);
 
 bool has_area(const Polygon3& polygon);
 
-// Returns the triangles of a fan of a polygon that is nearly plane and convex; none where no corner has one whose
-// triangles all face where it does.
+// Returns the triangles of a fan that divides a polygon that is nearly plane and convex. Returns none if from no corner
+// all triangles of the fan face the way the polygon does.
 std::vector<Polygon3> fan_of(const Polygon3& polygon);
 
 }  // namespace hottel

@@ -121,14 +121,14 @@ bool looks_into(const Solids3& solids, const Polygon3& polygon) {
   return solids.behind({&frame, frame.flat(middle(facet)), frame.is_front_up(facet.points)}).has_value();
 }
 
-// The middle and the corners of a grid.
-std::array<Point3, 5> marks_of(const Grid3& grid) {
-  const auto at = [&](const Rational& s, const Rational& t) {
-    return Point3{grid.origin.x + s * grid.u.x + t * grid.v.x, grid.origin.y + s * grid.u.y + t * grid.v.y,
-                  grid.origin.z + s * grid.u.z + t * grid.v.z};
-  };
+// The middle and the corners of a grid; of a volume those of its two ends.
+std::vector<Point3> marks_of(const Grid3& grid) {
   const Rational half(1, 2);
-  return {at(half, half), at(0, 0), at(1, 0), at(0, 1), at(1, 1)};
+  std::vector<Point3> marks{place_in(grid, half, half, half)};
+  for (int r = 0; r <= (grid.w ? 1 : 0); ++r)
+    for (const int t : {0, 1})
+      for (const int s : {0, 1}) marks.push_back(place_in(grid, s, t, r));
+  return marks;
 }
 
 // Whether something of the scene that is none of these surfaces is in a solid. What `is_of_part` is a face of another

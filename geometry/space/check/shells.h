@@ -17,23 +17,25 @@ struct Shell3 {
 };
 
 // Returns the closed parts of meshes, whichever way their fronts look: polygons of one group that hang together by
-// their edges, each of which is run through as often one way as the other. Each ascending; of four polygons at least.
-// COST: n log n for n edges.
+// their edges, each edge used as often in one direction as in the other. Each part has four polygons or more,
+// ascending. COST: n log n for n edges.
 std::vector<std::vector<std::uint32_t>> closed_parts(const Scene3& scene);
 
-// Returns the parts of meshes that are inside out, if bodies are meant: closed, with their fronts inward, and empty.
+// Returns the parts of meshes that are inside out if they are meant as bodies: closed, with their fronts inward, and
+// empty.
 //
-//   (1) nothing is in one: no other surface, light, camera or grid; nor is it in a body itself, as a hollow is
+//   (1) nothing is inside such a part: no other surface, light, camera or grid; nor is the part a hollow in a body
 //   (2) parts whose backs have a material, and those that say "behind": "open", are rooms; so is what is all of a scene
 //       that promises to be closed
-//   (3) may_be_body: the scene does not promise that, and its sky sends something, or there are surfaces outside. Else
-//       it may be a furnace
+//   (3) may_be_body: the scene does not promise to be closed, and its sky sends something or there are surfaces outside
+//       the part. Else the part may be a furnace
 //
 // Exact. COST: n log n for n edges of groups of four polygons or more; for each part with its fronts inward that of a
 // Solids3 of it, and a winding number for each corner in its box.
 std::vector<Shell3> inside_out_shells(const Scene3& scene);
 
-// Tells of them: a warning each (inside-out). What is told of one already becomes a warning where it may be a body.
+// Adds a finding for each, a warning (inside-out). A finding that is there already becomes a warning where the part may
+// be a body.
 void tell_inside_out(const Scene3& scene, const std::vector<Shell3>& shells, Findings3& findings);
 
 }  // namespace hottel

@@ -15,12 +15,15 @@ namespace hottel {
 //
 //   (1) pairs: unordered pairs of elements that exchange light, those with the sky among them; enclosed of them have
 //       bounds within the tolerance, the others are estimated
-//   (2) hidden, clear, mixed: unordered pairs of patches by how they were settled (PairVisibility3), of which at least
-//       one has a row; the sky has six patches. They are not of one surface
-//   (3) maps, pieces, nodes: what was looked at along edges; signs: what settled the signs
-//       proof, where enclosures were asked for: the parts of pieces of edges that were enclosed, how often one was
-//       halved, how many were done again with more digits, how many are left to what can be seen at most; and pairs
-//       whose bounds are narrower by those of the others in their rows
+//   (2) hidden, clear, mixed: unordered pairs of patches by how they were settled (PairVisibility3). At least one patch
+//       of a pair has a row, and the two are not of one surface; the sky has six patches
+//   (3) maps, pieces, nodes: the work along edges; signs: what settled the signs. proof, where enclosures were asked
+//       for:
+//         parts      parts of pieces that were enclosed
+//         halvings   how often one was halved
+//         redone     parts that were done again with more digits
+//         failures   parts that are bounded only by what can be seen at most
+//         narrowed   pairs whose bounds became narrower by the bounds of other pairs in their rows
 //   (4) max_error: the largest estimated error of a pair over its smaller area; max_defect: the largest |row sum - 1|
 //   (5) seconds: "prepare", "label", "pairs", "visibility", "matrix"
 struct ExchangeReport3 {

@@ -65,6 +65,13 @@ class FaceSights {
 
 }  // namespace
 
+void require_free(const PreparedScene3& prepared, const Face& face) {
+  const ElementTable3& table = *prepared.elements(Granularity::kFace);
+  if (table.parts(face.number()).empty() && !table.has_contact(face.number()))
+    throw RequestError(quoted_name(face_name(prepared.scene, face)) +
+                       " has no area: it lies in solids, or others have all of its place");
+}
+
 SeenFace3 sight_between(const PreparedScene3& prepared, const Face& from, const std::optional<Face>& to) {
   const DefaultFloatingPoint arithmetic;
   const FaceSights sights(prepared, from);

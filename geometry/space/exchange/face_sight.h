@@ -11,6 +11,9 @@ namespace hottel {
 
 struct PreparedScene3;
 
+// Throws RequestError where nothing of a face is free: it lies in solids, or others have all of its place.
+void require_free(const PreparedScene3& prepared, const Face& face);
+
 // How a face, or the sky, is seen from another face.
 struct SeenFace3 {
   std::optional<Face> face;  // nothing: the sky

@@ -13,9 +13,9 @@
 
 namespace hottel {
 
-// S0 of pairs of elements: that of the scene of which only the pieces that lie on their surfaces are kept, opaque on
-// both sides, and of these what is not covered. Of a group all members are kept, of an element its whole polygon. A
-// single convex polygon hides nothing of itself; several may.
+// S0 of pairs of elements: their S in a scene that keeps only the pieces on their own surfaces, opaque on both sides
+// and without what is covered. Of a group the scene keeps all members, of an element its whole polygon. A single convex
+// polygon hides nothing of itself; several may.
 //
 // REQUIRES: the scene and the table outlive this.
 // For several threads at once.
@@ -28,14 +28,13 @@ class GroupsAlone3 {
   // these.
   bool is_undisturbed(std::uint32_t i, std::uint32_t j) const;
 
-  // S0, in the unit of the scene's PairIntegrator3, with what it may be off, as an estimate, and proven bounds.
+  // S0, in the unit of the scene's PairIntegrator3: value, estimated error and proven bounds.
   struct Measure {
     double value = 0, error = 0;
     Enclosure bounds{0, 0};
   };
 
-  // Throws RequestError where a pair of members cannot be
-  // measured. COST: that of each pair of members.
+  // Throws RequestError where a pair of members cannot be measured. COST: that of each pair of members.
   Measure measure(std::uint32_t i, std::uint32_t j) const;
 
  private:

@@ -13,7 +13,7 @@ namespace hottel {
 
 inline constexpr std::size_t kNamedPairs = 3;  // in messages
 
-// Of two elements, or of one and the sky, which is numbered after them.
+// Returns "'a' and 'b'" for two elements; the number after the last element is the sky.
 inline std::string pair_text(const std::vector<Element>& elements, std::uint32_t i, std::uint32_t j) {
   return quoted_name(elements[i].name) + " and " + (j == elements.size() ? "the sky" : quoted_name(elements[j].name));
 }

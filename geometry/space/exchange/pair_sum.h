@@ -18,14 +18,13 @@
 
 namespace hottel {
 
-// S of two elements, i <= j, or of one and the sky: the sum over their patches, in the unit of PairIntegrator3.
+// S of two elements, i <= j, or of an element and the sky: the sum over their patches, in the unit of PairIntegrator3.
 struct PairSum3 {
   std::uint32_t i, j;
   double measure = 0, error = 0;  // |measure - S| <= error, an estimate; may be 0 where S is not
   Enclosure bounds{0, 0};         // of S, proven
-  double alone =
-      0;  // S0 where each patch is measured with nothing else there; 0 of the sky; of groups until measure_alone()
-  bool is_whole = true;  // nothing hides any patch from another: S = S0
+  double alone = 0;               // S0, each patch measured alone; 0 with the sky, and of groups until measure_alone()
+  bool is_whole = true;           // nothing hides any patch from another: S = S0
 
   bool is_zero() const { return bounds.upper == 0; }  // S = 0
   friend bool operator==(const PairSum3&, const PairSum3&) = default;
@@ -35,12 +34,13 @@ struct PairSum3 {
 struct FailedPair3 {
   std::uint32_t i, j;
   double reached;       // the tolerance that was, relative to the smaller area
-  bool is_undecided;    // it could not be decided whether they see each other: then none was
-  std::string problem;  // of one of their patches
+  bool is_undecided;    // whether they see each other could not be decided; then `reached` means nothing
+  std::string problem;  // why, of one pair of their patches
 };
 
-// Some pairs of all: those of which one element at least is called up, and none was before, and that are not known from
-// elsewhere; of pairs with the sky those of some elements. By label, the sky last.
+// The pairs that are measured in one turn: at least one of the two elements is in this turn, neither was in a turn
+// before, and the pair is not known already. Pairs with the sky may be limited to some elements. Lists are by label,
+// the sky last.
 struct PairTurn3 {
   const std::vector<char>& is_now;
   const std::vector<char>& was_before;
@@ -57,8 +57,8 @@ struct PairTurn3 {
   }
 };
 
-// Gets pairs of elements that are done while others are being measured, as PairHandover3 says, by whatever thread; what
-// it writes into them stays. It may throw to stop.
+// Gets pairs of elements that are done while others are still being measured, as PairHandover3 says, on any thread. It
+// may change the pairs, and may throw to stop.
 using PairSink3 = std::function<void(std::span<PairSum3> pairs, const PairRanges& known)>;
 
 // What is asked.
@@ -69,8 +69,8 @@ struct PairSumRequest3 {
   std::uint64_t most_pairs = std::numeric_limits<std::uint64_t>::max();  // beyond: RequestError
   std::function<void(double)> progress = {};  // fraction done, from any thread; may throw to stop
   const PairTurn3* turn = nullptr;            // these pairs alone; null: all
-  PairSink3 sink = {};                        // gets what is done, and before a failure or a stop all that is
-  std::chrono::duration<double> between{2};   // its calls
+  PairSink3 sink = {};                        // gets pairs that are done; before a failure or a stop, all of them
+  std::chrono::duration<double> between{2};   // the time between its calls
 };
 
 struct PairSums3 {

@@ -106,10 +106,8 @@ std::optional<MovingPlanes3::ProvenInterval> MovingPlanes3::prove_signs(double l
   right *= kShrunk[0];
   for (const KeptSign& kept : kept_signs_)
     if (!proves(kept, left, right)) return {};
-  // No further than that, as doubles.
-  const double low = std::nextafter(t_ - left, 2.0), high = std::nextafter(t_ + right, -1.0);
-  if (!(low <= t_ && t_ <= high)) return {};
-  return ProvenInterval{low, high};
+  // No further than that, as doubles: t itself where a root is nearer than the next one.
+  return ProvenInterval{std::min(std::nextafter(t_ - left, 2.0), t_), std::max(std::nextafter(t_ + right, -1.0), t_)};
 }
 
 }  // namespace hottel

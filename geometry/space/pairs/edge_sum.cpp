@@ -25,7 +25,8 @@ Direction3 ratio(const IntegerVector& numerator, const Integer& denominator, lon
 
 }  // namespace
 
-EdgeSum3::EdgeSum3(const PairGeometry3& bodies, const MomentOrigin3& origin, long shift, std::size_t most_bytes)
+EdgeSum3::EdgeSum3(const PairGeometry3& bodies, const MomentOrigin3& origin, long shift, std::size_t most_bytes,
+                   bool proves)
     : bodies_(bodies),
       origin_(origin),
       shift_(shift),
@@ -33,6 +34,7 @@ EdgeSum3::EdgeSum3(const PairGeometry3& bodies, const MomentOrigin3& origin, lon
       mapper_(bodies),
       doubles_([this](std::uint32_t k, StretchPiece3& piece) { mapper_.make_arcs(*stretch_of(k).stretch, piece); },
                most_bytes),
+      proves_(proves),
       extents_{extent(0), extent(1)} {}
 
 template <class Real>
@@ -49,13 +51,22 @@ void EdgeSum3::set_expected_residual(EdgeIntegral3<Real>& integral) const {
   if (origin_.is_on_common_line()) integral.expect_residual(direction_of_both_normals<Real>(bodies_));
 }
 
+bool EdgeSum3::divide(const PairStretch3& stretch, std::vector<StretchPiece3>& pieces) {
+  if (!proves_) return mapper_.divide(stretch, pieces);
+  SureStretch3& sure = sure_.emplace_back();
+  if (!mapper_.divide(stretch, pieces, &sure.parts)) return false;
+  sure.sees_nothing = sure.parts.empty() && mapper_.sees_nothing(stretch);
+  for (SurePart3& part : sure.parts) part.piece.give_up_arcs();
+  return true;
+}
+
 bool EdgeSum3::add(const std::vector<PairStretch3>& stretches, PairResult3& result) {
   std::vector<StretchPiece3> pieces;
   stretches_ = &stretches;
   for (const PairStretch3& stretch : stretches) {
     const std::uint32_t relied = mapper_.relied_polynomials();
     pieces.clear();
-    if (!mapper_.divide(stretch, pieces)) return false;
+    if (!divide(stretch, pieces)) return false;
     const auto number = static_cast<std::size_t>(&stretch - stretches.data());
     for (const double t : mapper_.not_looked_at()) ends_.push_back({number, t});
     for (const StretchPiece3& piece : pieces) {

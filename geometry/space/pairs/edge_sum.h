@@ -18,9 +18,9 @@ namespace hottel {
 // in doubles, and in more digits where these do not suffice.
 class EdgeSum3 {
  public:
-  // REQUIRES: both outlive this.
+  // REQUIRES: both outlive this. Where it proves, what EdgeEnclosure3 asks for is kept of all stretches.
   EdgeSum3(const PairGeometry3& bodies, const MomentOrigin3& origin, long shift,
-           std::size_t most_bytes = kMostBytesOfArcs3);
+           std::size_t most_bytes = kMostBytesOfArcs3, bool proves = false);
   EdgeSum3(const EdgeSum3&) = delete;  // the mapper knows where its parts are
   EdgeSum3& operator=(const EdgeSum3&) = delete;
 
@@ -50,10 +50,15 @@ class EdgeSum3 {
   // told could add more than `most` to the residual.
   std::vector<PairStretch3> cut_at_ends(double most) const;
 
+  // What is proven to be seen along each stretch. REQUIRES that it proves.
+  const std::vector<SureStretch3>& sure_stretches() const { return sure_; }
+  StretchMapper3& mapper() { return mapper_; }
+
   // Tells what it is the sum of.
   void tell(PairDetails3& details);
 
  private:
+  bool divide(const PairStretch3& stretch, std::vector<StretchPiece3>& pieces);
   bool is_of_patches_alone(std::uint32_t point) const;
   std::vector<PairDetails3::Corner> told_corners(const PairStretch3& stretch, const StretchPiece3& piece);
   // A stretch along which something is seen.
@@ -113,6 +118,8 @@ class EdgeSum3 {
   std::optional<EdgeIntegral3<WideReal>> wide_;
   EdgeValues3 values_;
   const std::vector<PairStretch3>* stretches_ = nullptr;
+  bool proves_;
+  std::vector<SureStretch3> sure_;
   std::array<Extent, 2> extents_;
   std::vector<Jump> jump_list_;
   std::vector<End> ends_;

@@ -227,9 +227,9 @@ class FinerSums {
 
 // Narrows the bounds of a sum along edges to what is proven of it. What is no better than them is taken for the number.
 void prove(const PairOccluders3& setting, const MomentOrigin3& origin, long shift,
-           const std::vector<PairStretch3>& stretches, double allowed, PairResult3& result) {
-  EdgeEnclosure3 enclosure(setting.bodies, origin, shift);
-  const Enclosure proven = enclosure.enclose(stretches, allowed);
+           const std::vector<PairStretch3>& stretches, double allowed, EdgeSum3& sum, PairResult3& result) {
+  EdgeEnclosure3 enclosure(setting.bodies, origin, shift, sum.mapper());
+  const Enclosure proven = enclosure.enclose(stretches, sum.sure_stretches(), allowed);
   result.bounds = {std::max(result.bounds.lower, proven.lower), std::min(result.bounds.upper, proven.upper)};
   result.proof += enclosure.counts();
   if (!(result.bounds.lower <= result.bounds.upper)) throw std::logic_error("what is proven of a pair excludes itself");
@@ -593,7 +593,7 @@ PairResult3 PairIntegrator3::measure_along(const PairOccluders3& setting, const 
   if (alone.has_converged) result.alone = alone.measure;
   const long shift = occluders.vertices().shift();
   const MomentOrigin3 origin(setting.bodies, request.origin_shift, shift);
-  EdgeSum3 sum(setting.bodies, origin, shift);
+  EdgeSum3 sum(setting.bodies, origin, shift, kMostBytesOfArcs3, request.proves);
   const std::vector<PairStretch3> stretches = pair_stretches(setting, prepared_->stretches, first, second);
   if (details) details->looked_at += static_cast<std::uint32_t>(stretches.size());
   result.bounds = {0, alone.bounds.upper};
@@ -639,7 +639,7 @@ PairResult3 PairIntegrator3::measure_along(const PairOccluders3& setting, const 
   // Something is seen.
   result.measure = std::clamp(result.measure, kLittle * alone.bounds.upper, alone.bounds.upper);
   const auto end = [&] {
-    if (request.proves) prove(setting, origin, shift, stretches, allowed, result);
+    if (request.proves) prove(setting, origin, shift, stretches, allowed, sum, result);
     return result;
   };
   if (is_done()) return end();

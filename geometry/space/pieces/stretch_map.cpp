@@ -55,14 +55,14 @@ StretchMapper3::StretchMapper3(const PairGeometry3& bodies)
     for (const std::uint32_t face : bodies.solids[solid].faces) solid_of_[face] = solid;
 }
 
-bool StretchMapper3::divide(const PairStretch3& stretch, std::vector<StretchPiece3>& pieces) {
+bool StretchMapper3::walk(const PairStretch3& stretch, std::vector<StretchPiece3>& pieces,
+                          std::vector<SurePart3>* parts) {
   not_looked_at_.clear();
   take(stretch);
   hints_.assign(4 * (bodies_.bodies.size() + bodies_.solids.size()), 0);
   if (!find_sides(stretch)) return true;
   find_bodies(stretch);
   hiders_ = {};
-  const std::size_t first = pieces.size();
   std::vector<std::pair<double, double>> waiting{{stretch.low, stretch.high}};
   for (std::uint32_t count = 0; !waiting.empty(); ++count) {
     const auto [low, high] = waiting.back();
@@ -75,8 +75,18 @@ bool StretchMapper3::divide(const PairStretch3& stretch, std::vector<StretchPiec
     if (count > kMostPieces || !look(stretch, low, high, piece)) return false;
     waiting.emplace_back(piece.high, high);
     waiting.emplace_back(low, piece.low);
+    if (parts) add_sure_part(piece, *parts);
     pieces.push_back(std::move(piece));
   }
+  return true;
+}
+
+bool StretchMapper3::divide(const PairStretch3& stretch, std::vector<StretchPiece3>& pieces,
+                            std::vector<SurePart3>* parts) {
+  const std::size_t first = pieces.size();
+  if (parts) begin_sure_parts(*parts);
+  if (!walk(stretch, pieces, parts)) return false;
+  if (parts) end_sure_parts(*parts);
   const auto begin = pieces.begin() + static_cast<std::ptrdiff_t>(first);
   std::sort(begin, pieces.end(), [](const StretchPiece3& a, const StretchPiece3& b) { return a.low < b.low; });
   // What was too short to be looked at belongs to what follows, the last of it to what is before.

@@ -48,7 +48,8 @@ class StretchMapper3 {
   explicit StretchMapper3(const PairGeometry3& bodies);
 
   // Appends the parts of a stretch in which something is seen, without their arcs. False where it took too many steps.
-  bool divide(const PairStretch3& stretch, std::vector<StretchPiece3>& pieces);
+  // Sets `parts`, where it is not null, as divide_surely() does, at once: that costs a third of it.
+  bool divide(const PairStretch3& stretch, std::vector<StretchPiece3>& pieces, std::vector<SurePart3>* parts = nullptr);
   // Makes the arcs of one of these parts: at any time the same. REQUIRES that it has none.
   void make_arcs(const PairStretch3& stretch, StretchPiece3& piece);
 
@@ -63,8 +64,7 @@ class StretchMapper3 {
   WidePiece3<Real> widened(const PairStretch3& stretch, const StretchPiece3& piece);
 
   // Sets `parts` to parts of a stretch on which what is seen is proven, those too in which it is nothing. Outside of
-  // `low` to `high` of the stretch nothing is seen. False where it took too many steps. COST: some twice that of
-  // divide().
+  // `low` to `high` of the stretch nothing is seen. False where it took too many steps.
   //
   //   (1) of a stretch past which nothing can be seen, whatever t: sees_nothing(), and no parts
   bool divide_surely(const PairStretch3& stretch, std::vector<SurePart3>& parts);
@@ -86,6 +86,10 @@ class StretchMapper3 {
   };
   void take(const PairStretch3& stretch);
   bool look(const PairStretch3& stretch, double low, double high, StretchPiece3& piece);
+  bool walk(const PairStretch3& stretch, std::vector<StretchPiece3>& pieces, std::vector<SurePart3>* parts);
+  void begin_sure_parts(std::vector<SurePart3>& parts);
+  void add_sure_part(const StretchPiece3& piece, std::vector<SurePart3>& parts);
+  static void end_sure_parts(std::vector<SurePart3>& parts);
   bool find_sides(const PairStretch3& stretch);
   void find_bodies(const PairStretch3& stretch);
   bool hides_as_one(const PairGeometry3::Solid& solid, const PairStretch3& stretch, std::uint32_t patch) const;

@@ -20,6 +20,12 @@ struct SurePart3 {
   double gaps = 0;
 };
 
+// What is proven of a stretch. The signatures of its pieces are packed.
+struct SureStretch3 {
+  bool sees_nothing = false;  // whatever t
+  std::vector<SurePart3> parts;
+};
+
 // A piece with vectors that are zero nowhere (MovingPlanes3::whole_normal).
 template <class Real>
 struct WholePiece3 {

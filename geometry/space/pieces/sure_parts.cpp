@@ -9,8 +9,6 @@
 namespace hottel {
 namespace {
 
-constexpr double kLeast = 0x1p-51;
-constexpr std::uint32_t kMostPieces = 20000;
 // What is further apart is not joined.
 constexpr double kMostGap = 0x1p-40;
 
@@ -47,34 +45,32 @@ void join(std::vector<SurePart3>& parts) {
 
 }  // namespace
 
-bool StretchMapper3::divide_surely(const PairStretch3& stretch, std::vector<SurePart3>& parts) {
+void StretchMapper3::begin_sure_parts(std::vector<SurePart3>& parts) {
   parts.clear();
   planes_.keep_signs();
-  take(stretch);
-  if (!find_sides(stretch)) return true;
-  hints_.assign(4 * (bodies_.bodies.size() + bodies_.solids.size()), 0);
-  find_bodies(stretch);
-  hiders_ = {};
-  std::vector<std::pair<double, double>> waiting{{stretch.low, stretch.high}};
-  for (std::uint32_t count = 0; !waiting.empty(); ++count) {
-    const auto [low, high] = waiting.back();
-    waiting.pop_back();
-    if (!(high - low > kLeast)) continue;
-    SurePart3 part;
-    StretchPiece3& piece = part.piece;
-    if (count > kMostPieces || !look(stretch, low, high, piece)) return false;
-    waiting.emplace_back(piece.high, high);
-    waiting.emplace_back(low, piece.low);
-    const std::optional<MovingPlanes3::ProvenInterval> proven = planes_.prove_signs(planes_.left(), planes_.right());
-    if (!proven) continue;
-    piece.low = proven->low;
-    piece.high = proven->high;
-    parts.push_back(std::move(part));
-  }
+}
+
+// What was looked at last, as far as it is proven.
+void StretchMapper3::add_sure_part(const StretchPiece3& piece, std::vector<SurePart3>& parts) {
+  const std::optional<MovingPlanes3::ProvenInterval> proven = planes_.prove_signs(planes_.left(), planes_.right());
+  if (!proven) return;
+  SurePart3& part = parts.emplace_back(SurePart3{piece, 0});
+  part.piece.low = proven->low;
+  part.piece.high = proven->high;
+}
+
+void StretchMapper3::end_sure_parts(std::vector<SurePart3>& parts) {
   std::sort(parts.begin(), parts.end(),
             [](const SurePart3& a, const SurePart3& b) { return a.piece.base < b.piece.base; });
   keep_apart(parts);
   join(parts);
+}
+
+bool StretchMapper3::divide_surely(const PairStretch3& stretch, std::vector<SurePart3>& parts) {
+  std::vector<StretchPiece3> pieces;
+  begin_sure_parts(parts);
+  if (!walk(stretch, pieces, &parts)) return false;
+  end_sure_parts(parts);
   return true;
 }
 

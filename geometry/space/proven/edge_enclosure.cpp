@@ -35,8 +35,9 @@ Enclosure over_full_turn(const Ball3<double>& sum) {
 
 }  // namespace
 
-EdgeEnclosure3::EdgeEnclosure3(const PairGeometry3& bodies, const MomentOrigin3& origin, long shift)
-    : bodies_(bodies), origin_(origin), shift_(shift), mapper_(bodies), extents_{extent(0), extent(1)} {}
+EdgeEnclosure3::EdgeEnclosure3(const PairGeometry3& bodies, const MomentOrigin3& origin, long shift,
+                               StretchMapper3& mapper)
+    : bodies_(bodies), origin_(origin), shift_(shift), mapper_(mapper), extents_{extent(0), extent(1)} {}
 
 EdgeEnclosure3::Extent EdgeEnclosure3::extent(std::uint32_t patch) const {
   if (bodies_.is_far(patch)) return {};
@@ -101,15 +102,15 @@ Ball3<double> EdgeEnclosure3::enclose(const PairStretch3& stretch, const SurePar
   return result;
 }
 
-Ball3<double> EdgeEnclosure3::enclose(const PairStretch3& stretch, double allowed) {
+Ball3<double> EdgeEnclosure3::enclose(const PairStretch3& stretch, const SureStretch3& sure, double allowed) {
   const ProvenMoment3<double> moment = moment_of<double>(stretch.line());
   const double most = most_seen(stretch), whole = up(moment.size * most);
   if (moment.size <= 2 * kTiny) return {0, whole};  // it is on a line through the origin
-  if (mapper_.sees_nothing(stretch)) return {};
-  if (!mapper_.divide_surely(stretch, parts_)) return {0, up(whole * (stretch.high - stretch.low))};
+  if (sure.sees_nothing) return {};
   double end = stretch.low, gaps = 0;
   Ball3<double> sum;
-  for (const SurePart3& part : parts_) {
+  for (SurePart3 part : sure.parts) {
+    part.piece.unpack_signature();
     gaps = up(gaps + std::max(0.0, part.piece.low - end) + 0x1p-53);
     end = part.piece.high;
     if (part.piece.signature.empty()) {
@@ -132,7 +133,8 @@ Ball3<double> EdgeEnclosure3::enclose(const PairStretch3& stretch, double allowe
   return sum;
 }
 
-Enclosure EdgeEnclosure3::enclose(const std::vector<PairStretch3>& stretches, double allowed) {
+Enclosure EdgeEnclosure3::enclose(const std::vector<PairStretch3>& stretches, const std::vector<SureStretch3>& sure,
+                                  double allowed) {
   const double all = 2 * std::numbers::pi * allowed;
   const double of_each = all / static_cast<double>(std::max<std::size_t>(1, stretches.size()));
   Ball3<double> sum;
@@ -140,7 +142,7 @@ Enclosure EdgeEnclosure3::enclose(const std::vector<PairStretch3>& stretches, do
     takes_more_digits_ = takes_more_digits;
     sum = {};
     counts_ = {};
-    for (const PairStretch3& stretch : stretches) sum = sum + enclose(stretch, of_each);
+    for (std::size_t k = 0; k < stretches.size(); ++k) sum = sum + enclose(stretches[k], sure[k], of_each);
     if (sum.rad <= kOfAll * all) break;
   }
   return over_full_turn(sum);

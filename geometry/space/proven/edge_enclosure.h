@@ -21,11 +21,12 @@ namespace hottel {
 // See docs/design/space/proven.md. For one thread.
 class EdgeEnclosure3 {
  public:
-  // REQUIRES: both outlive this.
-  EdgeEnclosure3(const PairGeometry3& bodies, const MomentOrigin3& origin, long shift);
+  // REQUIRES: all outlive this.
+  EdgeEnclosure3(const PairGeometry3& bodies, const MomentOrigin3& origin, long shift, StretchMapper3& mapper);
 
-  // Of the stretches of a pair. `allowed`: half of how wide it should be; it is not wider than it must for that.
-  Enclosure enclose(const std::vector<PairStretch3>& stretches, double allowed);
+  // Of the stretches of a pair, which the mapper has divided; `sure`: what is proven of each. `allowed`: half of how
+  // wide it should be; it is not wider than it must for that.
+  Enclosure enclose(const std::vector<PairStretch3>& stretches, const std::vector<SureStretch3>& sure, double allowed);
 
   // Of what is in the enclosure.
   const ProofCounts3& counts() const { return counts_; }
@@ -41,7 +42,7 @@ class EdgeEnclosure3 {
   double most_seen(const PairStretch3& stretch) const;
   template <class Real>
   ProvenMoment3<Real> moment_of(const Stretch3& s) const;
-  Ball3<double> enclose(const PairStretch3& stretch, double allowed);
+  Ball3<double> enclose(const PairStretch3& stretch, const SureStretch3& sure, double allowed);
   template <class Real>
   Ball3<double> enclose(const PairStretch3& stretch, const SurePart3& part, const ProvenMoment3<Real>& moment,
                         double allowed, double most);
@@ -49,9 +50,8 @@ class EdgeEnclosure3 {
   const PairGeometry3& bodies_;
   const MomentOrigin3& origin_;
   long shift_;
-  StretchMapper3 mapper_;
+  StretchMapper3& mapper_;
   std::array<Extent, 2> extents_;
-  std::vector<SurePart3> parts_;
   bool takes_more_digits_ = false;
   ProofCounts3 counts_;
 };

@@ -20,10 +20,18 @@ std::string camera_problem(const Camera3& camera) {
 
 std::string grid_problem(const Grid3& grid) {
   if (cross(grid.u, grid.v).is_zero()) return "u and v are parallel, or one is zero";
+  if (grid.w && dot(cross(grid.u, grid.v), *grid.w) == 0) return "w lies in the plane of u and v";
   const auto is_count = [](std::uint32_t cells) { return cells >= 1 && cells <= kMaxGridCells3; };
-  if (!is_count(grid.nu) || !is_count(grid.nv))
+  if (!is_count(grid.nu) || !is_count(grid.nv) || !is_count(grid.nw))
     return "cells must be integers from 1 to " + std::to_string(kMaxGridCells3);
   return "";
+}
+
+Point3 place_in(const Grid3& grid, const Rational& s, const Rational& t, const Rational& r) {
+  const Vector3 &u = grid.u, &v = grid.v;
+  Point3 place{grid.origin.x + s * u.x + t * v.x, grid.origin.y + s * u.y + t * v.y, grid.origin.z + s * u.z + t * v.z};
+  if (!grid.w) return place;
+  return {place.x + r * grid.w->x, place.y + r * grid.w->y, place.z + r * grid.w->z};
 }
 
 std::string grid_name_problem_3(const std::string& name) {

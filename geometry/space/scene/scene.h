@@ -39,19 +39,28 @@ struct Mask3 {
 // The most cells of a grid along one of its sides.
 inline constexpr std::uint32_t kMaxGridCells3 = 16384;
 
-// Where light is asked for: nu times nv equal cells of the parallelogram from `origin` along u and along v. Of several
-// grids each has a name, which is part of the names of its files.
+// Where light is asked for: nu times nv equal cells of the parallelogram from `origin` along u and along v; with w a
+// volume, nu times nv times nw cells of the parallelepiped. Of several grids each has a name, which is part of the
+// names of its files.
 struct Grid3 {
   Point3 origin;
   Vector3 u, v;
   std::uint32_t nu = 1, nv = 1;
   std::string name{};
+  std::optional<Vector3> w{};
+  std::uint32_t nw = 1;  // 1 without w
+
+  bool is_volume() const { return w.has_value(); }
+  std::uint64_t cells() const { return std::uint64_t{nu} * nv * nw; }
   friend bool operator==(const Grid3&, const Grid3&) = default;
 };
 
 // Returns what is wrong with a grid, as the end of a sentence ("u and v are parallel, or one is zero"); empty when
-// nothing is: u and v span a plane, and there are 1 to kMaxGridCells3 cells along each.
+// nothing is: u and v span a plane, w leaves it, and there are 1 to kMaxGridCells3 cells along each.
 std::string grid_problem(const Grid3& grid);
+
+// Returns the place s along u, t along v and, of a volume, r along w: the origin at 0, 0, 0.
+Point3 place_in(const Grid3& grid, const Rational& s, const Rational& t, const Rational& r = 0);
 
 // Returns why a grid of several may not be called so, as the end of a sentence ("must not be empty"); empty when it
 // may: a name is well-formed UTF-8 of at most 100 bytes, can be part of the name of a file (no control characters, none

@@ -12,19 +12,19 @@
 
 namespace hottel {
 
-// How much is tried. kAll: where numbers do not come within what is allowed, or fail a check, with more digits, and cut
-// in more parts.
+// How much is tried. kAll: where a number does not come within the tolerance, or fails a check, it is computed again
+// with more digits and in more parts.
 enum class Effort3 : unsigned char { kUsual, kAll };
 
 // What is asked of a pair.
 struct PairRequest3 {
-  // What S may be off, relative to the smaller of both areas.
+  // How far S may be off, relative to the smaller of both areas.
   double tolerance = 1e-9;
-  // The same in the unit of measures, where it is given: then `tolerance` means nothing.
+  // The same in the unit of measures; where it is given, `tolerance` means nothing.
   std::optional<double> share = {};
   Effort3 effort = Effort3::kAll;
-  // Whether bounds are to be proven of sums along edges too: then they are as narrow as the tolerance, as a rule. The
-  // measure is the same but where it is told better so. COST: some times that of the measure.
+  // Whether narrow bounds are proven for sums along edges too: as a rule as narrow as the tolerance. The measure stays
+  // the same, unless the proof gives a better one. COST: some times that of the measure.
   bool proves = false;
   // For tests: integrate along the edges from j to i; settle every pair along edges, also where it is clear; take
   // another origin for moments (in the unit of doubles, added to the usual one; where both patches reach the plane of
@@ -33,7 +33,7 @@ struct PairRequest3 {
   bool is_reversed = false;
   bool always_along_edges = false;
   double origin_shift[3] = {0, 0, 0};
-  // For tests: else everything that may stand between is walked, whether or not it is told at once what is hidden.
+  // For tests: if false, everything that may stand between is walked, even if hiders would settle the pair at once.
   bool asks_hiders = true;
 };
 
@@ -42,17 +42,17 @@ struct PairRequest3 {
 //
 //   (1) S = 0 and S = S0 (is_whole: nothing between them hides anything) are decided by signs; measure is 0 iff S is.
 //       Where is_undecided, they could not be
-//   (2) |measure - S| <= error: an estimate, what two quadratures differ by, and rounding; or, of what is bounded
-//       instead of integrated, half of what is between its bounds
-//   (3) bounds enclose S: proven. Of sums along edges they are wide unless the request `proves`
+//   (2) |measure - S| <= error. This is an estimate: the difference of two quadratures, and rounding; for a part that
+//       is bounded and not integrated, half the width of its bounds
+//   (3) bounds enclose S: proven. For sums along edges they are wide unless the request `proves`
 //   (4) where problem is empty, error is within what is allowed; else it is more, and problem says why. A number that
-//       failed the residual of translation is not told: what is told then are bounds
+//       failed the residual of translation is left out: only its bounds are given
 struct PairResult3 {
   PairVisibility3 sight = PairVisibility3::kHidden;
   bool is_whole = false, is_undecided = false;
   double measure = 0, error = 0;
   Enclosure bounds{0, 0};
-  double alone = 0;  // S0, within what is allowed, where it was told on the way; else 0
+  double alone = 0;  // S0, within what is allowed, where it came out on the way; else 0
   double residual = 0, residual_bound = 0;
   std::string problem;
   // How the number came about.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 
-#include "io/external/csv_reader.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/lower_case.h"
 
@@ -28,21 +28,31 @@ bool are_points_3(std::string_view text) {
   return line.find_first_of("{(") == std::string_view::npos && std::ranges::count(line, ',') == 2;
 }
 
-std::vector<Point3> read_points_3(std::string_view text, const std::string& name) {
+PointReader3::PointReader3(std::string_view text, const std::string& name) : reader_(name, text, kTriples) {}
+
+std::vector<Point3> PointReader3::next(std::size_t most) {
   std::vector<Point3> points;
-  CsvReader reader(name, text, kTriples);
-  for (bool is_first = true; reader.next(); is_first = false) {
-    const auto& fields = reader.fields();
+  while (points.size() < most && reader_.next()) {
+    const bool may_be_head = std::exchange(is_first_, false);
+    const auto& fields = reader_.fields();
     if (fields.size() == 1 && fields[0].empty()) continue;
     if (fields.size() != 3)
-      throw InputError(reader.where(),
+      throw InputError(reader_.where(),
                        "a point in space has three coordinates x,y,z, not " + std::to_string(fields.size()));
-    if (is_first && names_axes(fields)) continue;
-    points.push_back({exact_number(fields[0], reader.where()), exact_number(fields[1], reader.where()),
-                      exact_number(fields[2], reader.where())});
+    if (may_be_head && names_axes(fields)) continue;
+    points.push_back({exact_number(fields[0], reader_.where()), exact_number(fields[1], reader_.where()),
+                      exact_number(fields[2], reader_.where())});
   }
-  if (points.empty()) throw InputError({name, 0}, "there is no point in it");
   return points;
+}
+
+std::size_t count_points_3(std::string_view text, const std::string& name) {
+  constexpr std::size_t kSome = 1024;
+  PointReader3 reader(text, name);
+  std::size_t count = 0;
+  for (std::size_t read = kSome; read == kSome; count += read) read = reader.next(kSome).size();
+  if (count == 0) throw InputError({name, 0}, "there is no point in it");
+  return count;
 }
 
 }  // namespace hottel

@@ -1,6 +1,5 @@
 #include "io/results/plane/polygon_npz.h"
 
-#include <algorithm>
 #include <limits>
 #include <map>
 #include <optional>
@@ -22,36 +21,6 @@ std::string array_of(const std::vector<Number>& values, std::span<const std::siz
   std::string bytes = npy_header(shape, type);
   bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Number));
   return bytes;
-}
-
-// Well-formed UTF-8 as code points.
-std::u32string code_points(std::string_view text) {
-  std::u32string result;
-  for (std::size_t k = 0; k < text.size();) {
-    const auto lead = static_cast<unsigned char>(text[k]);
-    const std::size_t more = lead < 0x80 ? 0 : lead < 0xE0 ? 1 : lead < 0xF0 ? 2 : 3;
-    char32_t code = more == 0 ? lead : lead & (0x3Fu >> more);
-    for (std::size_t i = 1; i <= more; ++i) code = code << 6 | (static_cast<unsigned char>(text[k + i]) & 0x3Fu);
-    result += code;
-    k += more + 1;
-  }
-  return result;
-}
-
-std::string array_of_texts(const std::vector<std::string>& texts) {
-  std::vector<std::u32string> lines;
-  std::size_t width = 1;
-  for (const std::string& text : texts) {
-    lines.push_back(code_points(text));
-    width = std::max(width, lines.back().size());
-  }
-  std::vector<char32_t> codes;
-  for (std::u32string& line : lines) {
-    line.resize(width, U'\0');
-    codes.insert(codes.end(), line.begin(), line.end());
-  }
-  const std::size_t shape[] = {texts.size()};
-  return array_of(codes, shape, "<U" + std::to_string(width));
 }
 
 class NpzWriter final : public PolygonWriter2 {
@@ -95,7 +64,7 @@ class NpzWriter final : public PolygonWriter2 {
     zip.add("xy.npy", array_of(xy_, pairs, "<f8"));
     zip.add("begin.npy", array_of(begin_, ends, "<i8"));
     zip.add("face.npy", array_of(indices(side_), by_corner, "<i4"));
-    zip.add("names.npy", array_of_texts(names));
+    zip.add("names.npy", npy_of_texts(names));
     zip.add("solid.npy", array_of(indices(solid_), by_point, "<i4"));
     if (channels_ > 0) zip.add("irradiance.npy", array_of(irradiance_, light, "<f8"));
     zip.add("area.npy", array_of(area_, by_point, "<f8"));

@@ -32,7 +32,7 @@ struct PolygonBatch2 {
 //       "#range" along an arc; a point in a solid has no corners, and "#in NAME" is told
 //   (3) an unbounded region is never closed: GeoJSON and well-known text have the lines that bound it
 //
-// Throws RequestError where a corner is beyond the range of doubles (unless a csv is exact), or .npz beyond 4 GiB.
+// Throws RequestError where a corner is beyond the range of doubles (unless a csv is exact).
 class PolygonWriter2 {
  public:
   virtual ~PolygonWriter2() = default;

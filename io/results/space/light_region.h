@@ -1,7 +1,9 @@
 // Where the cells of a grid of light in space lie, as files say it.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "geometry/space/scene/scene.h"
 #include "io/results/npy.h"
@@ -9,7 +11,10 @@
 namespace hottel {
 
 // Returns the region of a grid in space, its corner and sides as the doubles next to them. [unit of the scene]
-PlanarRegion region_of(const Grid3& grid);
+GridRegion3 region_of(const Grid3& grid);
+
+// Returns the shape of an array of one number a cell: (nv, nu), of a volume (nw, nv, nu).
+std::vector<std::size_t> array_shape(const Grid3& grid);
 
 // Returns the name of a file of a grid: that one, or with the name of a grid that has one before its ending:
 // illumination-NAME.npy.json.

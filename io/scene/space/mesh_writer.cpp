@@ -82,14 +82,14 @@ class MeshWriter3 {
   MeshWriter3(const Scene3& scene, MeshFormat3 format) : scene_(scene), format_(format) {}
 
   WrittenMesh3 write(const std::string& library) {
-    if (scene_.polygons.empty()) throw RequestError("the scene has no polygons, and a mesh has some");
+    if (scene_.polygons.empty()) throw RequestError("the scene has no polygons: there is nothing to write as a mesh");
     for (const Surface& surface : scene_.surfaces)
       if (surface.is_obstruction)
         throw RequestError(quoted_name(surface.name) +
-                           " is an obstruction, which a mesh cannot say: give it a material, or take it out");
+                           " is an obstruction, which a mesh file cannot hold: give it a material, or take it out");
     if (!scene_.masks.empty())
       throw RequestError(quoted_name(scene_.surfaces[scene_.masks.front().surface].name) +
-                         " is a mask, which a mesh cannot say: take it out");
+                         " is a mask, which a mesh file cannot hold: take it out");
     collect_faces();
     hold_points();
     switch (format_) {

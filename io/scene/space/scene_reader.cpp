@@ -278,17 +278,17 @@ class SpaceReader3 {
   // One grid, or a list of them with names.
   void read_grids(const JsonValue& value) {
     if (value.kind() != JsonKind::kArray) {
-      const auto [origin, u, v, cells] =
-          read_members(value, {"grid"}, std::array<std::string_view, 4>{"origin", "u", "v", "cells"});
-      scene_.grids.push_back(grid_of(value, origin, u, v, cells));
+      const auto [origin, u, v, w, cells] =
+          read_members(value, {"grid"}, std::array<std::string_view, 5>{"origin", "u", "v", "w", "cells"});
+      scene_.grids.push_back(grid_of(value, {origin, u, v, w, cells}));
       return;
     }
     if (value.size() == 0) refuse(value, "grid: the list is empty");
     for (const JsonValue item : value.items()) {
-      const auto [name, origin, u, v, cells] =
-          read_members(item, {"grid"}, std::array<std::string_view, 5>{"name", "origin", "u", "v", "cells"});
+      const auto [name, origin, u, v, w, cells] =
+          read_members(item, {"grid"}, std::array<std::string_view, 6>{"name", "origin", "u", "v", "w", "cells"});
       require_member(name, "name", item, {"grid"});
-      Grid3 grid = grid_of(item, origin, u, v, cells);
+      Grid3 grid = grid_of(item, {origin, u, v, w, cells});
       grid.name = grid_name(name);
       scene_.grids.push_back(std::move(grid));
     }
@@ -303,25 +303,34 @@ class SpaceReader3 {
     return name;
   }
 
-  Grid3 grid_of(const JsonValue& value, const JsonValue& origin, const JsonValue& u, const JsonValue& v,
-                const JsonValue& cells) {
-    require_member(origin, "origin", value, {"grid"});
-    require_member(u, "u", value, {"grid"});
-    require_member(v, "v", value, {"grid"});
-    require_member(cells, "cells", value, {"grid"});
+  // The members of a grid but its name; without w it is planar.
+  struct GridMembers {
+    JsonValue origin, u, v, w, cells;
+  };
+
+  Grid3 grid_of(const JsonValue& value, const GridMembers& its) {
+    require_member(its.origin, "origin", value, {"grid"});
+    require_member(its.u, "u", value, {"grid"});
+    require_member(its.v, "v", value, {"grid"});
+    require_member(its.cells, "cells", value, {"grid"});
     Grid3 grid;
-    grid.origin = read_point(origin, {"grid", "origin"});
-    grid.u = read_point(u, {"grid", "u"}) - Point3{};
-    grid.v = read_point(v, {"grid", "v"}) - Point3{};
-    require_kind(cells, JsonKind::kArray, {"grid", "cells"});
-    if (cells.size() != 2) refuse(cells, "grid: cells must be two numbers, along u and along v");
-    std::uint32_t* count = &grid.nu;
-    for (const JsonValue item : cells.items()) {
-      *count = read_count(item, kMaxGridCells3, {"grid", "cells"});
-      count = &grid.nv;
-    }
+    grid.origin = read_point(its.origin, {"grid", "origin"});
+    grid.u = read_point(its.u, {"grid", "u"}) - Point3{};
+    grid.v = read_point(its.v, {"grid", "v"}) - Point3{};
+    if (its.w) grid.w = read_point(its.w, {"grid", "w"}) - Point3{};
+    read_cells(its.cells, grid);
     if (const std::string problem = grid_problem(grid); !problem.empty()) refuse(value, "grid: " + problem);
     return grid;
+  }
+
+  void read_cells(const JsonValue& cells, Grid3& grid) {
+    require_kind(cells, JsonKind::kArray, {"grid", "cells"});
+    if (cells.size() != (grid.w ? 3U : 2U))
+      refuse(cells, grid.w ? "grid: cells must be three numbers, along u, v and w"
+                           : "grid: cells must be two numbers, along u and along v; a third is of a grid with \"w\"");
+    const std::array<std::uint32_t*, 3> counts{&grid.nu, &grid.nv, &grid.nw};
+    std::size_t k = 0;
+    for (const JsonValue item : cells.items()) *counts[k++] = read_count(item, kMaxGridCells3, {"grid", "cells"});
   }
 
   void read_camera(const JsonValue& value) {

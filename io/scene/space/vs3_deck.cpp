@@ -78,8 +78,8 @@ class DeckReader3 {
     while (at_.next()) read_statement();
     if (deck_.records.empty()) at_.refuse("the deck has no surfaces");
     if (deck_.output.column != 0 && deck_.output.row == 0)
-      throw InputError({deck_.file, deck_.output.line},
-                       "col=" + std::to_string(deck_.output.column) + " is set, but no row: it is a part of one");
+      throw InputError({deck_.file, deck_.output.line}, "col=" + std::to_string(deck_.output.column) +
+                                                            " is set without row=: a column belongs to a row");
     deck_.unit = finest_.unit();
     return std::move(deck_);
   }

@@ -39,7 +39,7 @@ class SceneOfDeck3 {
     cut_bases();
     for (std::size_t k = 0; k < records_.size(); ++k) add(k);
     if (scene().surfaces.empty())
-      throw InputError({deck_.file, records_.front().line}, "nothing is left of any surface");
+      throw InputError({deck_.file, records_.front().line}, "the deck has no surface with an area left");
     join_bodies();
     validate(scene());
     take_output();

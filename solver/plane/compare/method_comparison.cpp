@@ -5,6 +5,7 @@
 
 #include "geometry/plane/prepared/element_table.h"
 #include "geometry/plane/prepared/prepared_scene.h"
+#include "kernel/support/stopwatch.h"
 #include "solver/plane/compare/verdict.h"
 #include "solver/plane/light/illumination_grid.h"
 
@@ -17,8 +18,10 @@ ComparisonReference<PreparedScene2> reference_of(const Simulation2& simulation, 
                                                            .memory = simulation.request().memory,
                                                            .store = simulation.request().store});
   const auto prepared = by_elements.prepared(progress);
+  Stopwatch watch;
   const auto computed = by_elements.factors(progress);
-  return {prepared, {computed, &computed->matrix}, *by_elements.light_shares(progress), 0};
+  const double seconds = watch.lap();
+  return {prepared, {computed, &computed->matrix}, *by_elements.light_shares(progress), 0, false, seconds};
 }
 
 }  // namespace

@@ -1,4 +1,10 @@
 // Common questions to a simulation in the plane: of faces by name, and of points.
+//
+//   const Simulation2 simulation(read_scene_2("scenes/analytic/square_radiosity.json"));
+//   std::printf("F = %.17g\n", view_factor(simulation, "bottom", "top").value);
+//   std::printf("S = %s\n", exact_pair(simulation, "bottom", "top").exchange.to_string().c_str());
+//   std::printf("B = %.6g\n", radiosity_of(simulation, "bottom").radiosity);
+//   std::printf("%.6g\n", light_at(simulation, {Rational(1, 2), Rational(1, 3)}).mean_irradiance[0]);
 #pragma once
 
 #include <cstddef>
@@ -20,28 +26,28 @@ struct VisibilityPolygon2;
 // Each makes the stages that it needs, and throws what they throw (simulation.h), unless it says otherwise. Names are
 // those of the rows: "wall", "wall:back", or "wall#2" where they are elements; UnknownName where there is none.
 
-// Returns F(from, to), `to` may be "sky"; as ExchangeMatrix::factor.
+// Returns F(from, to), as ExchangeMatrix::factor; `to` may be "sky".
 Rounded view_factor(const Simulation2& simulation, const std::string& from, const std::string& to);
 
 // Returns the same pair in closed form, with S0 and the areas; exact whatever the method of the simulation. Throws
 // UsageError where `from` is the sky.
 ExactPair2 exact_pair(const Simulation2& simulation, const std::string& from, const std::string& to);
 
-// Returns the radiosity of an element in a channel, with its bounds, and what goes with it. Throws UsageError where the
-// element has no row. REQUIRES a channel of the solution.
+// Returns what is known of an element in a channel: its radiosity with bounds, irradiance and net flux. Throws
+// UsageError where the element has no row. REQUIRES a channel of the solution.
 ElementRadiosity radiosity_of(const Simulation2& simulation, const std::string& element, std::size_t channel = 0);
 
 // The mean irradiance at a point once light has been reflected until it is absorbed.       [unit: that of radiosity]
 struct PointLight2 {
   std::vector<std::string> channel_names;
   std::vector<double> mean_irradiance;  // by channel; NaN in a solid
-  std::string why_none;                 // no solution, or none in doubles: the reason; else empty
+  std::string why_none;                 // why there is no solution, or none in doubles; else empty
 };
 
 // Returns the light at a point in scene coordinates. Does not throw RequestError: where there is no solution why_none
 // says why, and the lists are empty. COST: the radiosities, where they are not there, and point location.
 PointLight2 light_at(const Simulation2& simulation, const Point2& point, const StageProgress& progress = {});
-// The same where it is known what the point sees.
+// The same where the caller has what the point sees.
 PointLight2 light_at(const Simulation2& simulation, const VisibilityPolygon2& seen, const StageProgress& progress = {});
 
 // The same for many points: PointLights2 of this simulation. Throws RequestError where there is no solution.

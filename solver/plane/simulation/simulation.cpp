@@ -459,9 +459,9 @@ Simulation2::Version::Version(ScenePtr its_scene, SimulationRequest2 its_request
   granularity = request.granularity.value_or(is_divided(*scene) || request.everything ? Granularity::kElement
                                                                                       : Granularity::kFace);
   set_arrangements(before);
-  const PlanRequest of_plan{request.everything,
-                            request.wants_light ? std::uint64_t{grid.nx} * grid.ny : std::uint64_t{0},
-                            request.wants_light ? std::max(grid.nx, grid.ny) : 0};
+  const PlanRequest of_plan{
+      request.everything, request.wants_light ? std::uint64_t{grid.nx} * grid.ny : std::uint64_t{0},
+      request.wants_light ? std::max(grid.nx, grid.ny) : 0, request.light == LightKind2::kAverage};
   plan = node_of("plan", PlanInput{parted.stage, of_plan}, old(before, &Version::plan),
                  [](const PlanInput& input, const StageProgress& progress) {
                    return plan_scene(*input.prepared->get(progress), input.request);

@@ -1,4 +1,11 @@
-// A scene in the plane, simulated: what is asked for is made when it is asked for, and kept while it holds.
+// A scene in the plane, simulated: each result is made when it is first asked for, and kept while it holds.
+//
+//   const Simulation2 day(read_scene_2("scenes/analytic/square_radiosity.json"));
+//   Scene2 scene = day.scene();
+//   material_called(scene, "lit").emission = Spectrum::scalar(2);
+//   const Simulation2 night = day.with_scene(scene);
+//   for (const Simulation2& each : {day, night})
+//     std::printf("B = %.6g\n", each.radiosities()->channels[0].elements[0].radiosity);
 #pragma once
 
 #include <memory>
@@ -20,18 +27,18 @@ class LightRows2;
 struct DividingEstimate;
 struct PreparedScene2;
 
-// One version of a scene and what is asked of it, with all that follows, in stages ("a <- b": b is made from a):
+// One version of a scene and of what is asked of it, with all results, in stages ("a <- b": b is made from a):
 //
 //   arrangement <- factors <- system <- radiosities <- light <- picture
 //   arrangement <- lights <- radiosities
 //   arrangement <- rows <- light, where rows are kept
 //
-// The estimate of dividing comes after the radiosities; plan, lost_light and check stand beside. prepared() is the
-// arrangement with the scene of this version, light_shares() are the lights.
+// The estimate of dividing is made from the radiosities; plan, lost_light and check stand beside the stages. prepared()
+// is the arrangement with the scene of this version; light_shares() is the stage `lights`.
 //
 // A version never changes. An edit makes a new one, which shares every stage whose input is the same; so undoing is
-// taking the older version, and copies are cheap. What is asked for is made at the first call, with what it needs
-// before it, and returned as a shared value that outlives the version.
+// taking the older version, and copies are cheap. The first call for a stage makes it, with the stages that it needs;
+// every call returns it as a shared value that outlives the version.
 //
 //   (1) a stage is dropped by an edit iff its input changed, directly or in a stage before it:
 //         arrangement   edges, surfaces, groups, names, which materials act alike; whether elements are told apart
@@ -42,11 +49,11 @@ struct PreparedScene2;
 //         rows          grid, memory: what the cells see (light_rows.h), after the arrangement
 //         light         grid, kind of light. Made from rows where they are kept: the same bits
 //         picture       painter
-//         dividing      nothing else than radiosities
+//         dividing      only what changes the radiosities
 //         plan, lost_light, check    anything in the scene, and what they look at: the grid, factors
 //   (2) every value is a function of scene and request: bit for bit that of a new simulation of the same scene, also
 //       after it was written and read again, whatever was edited, asked or cancelled before, on any number of threads.
-//       (`seconds` in reports are what was measured)
+//       (`seconds` in reports are measured)
 //   (3) any number of threads may ask one version at once; stages are made, waited for, cancelled and failed as
 //       kernel/support/stage.h says. What a stage throws is thrown again until an edit drops it
 //   (4) factors and what cells see each keep to the memory that is allowed (ExchangeRequest::memory, LightRows2)

@@ -46,13 +46,13 @@ struct SimulationRequest2 {
   std::optional<int> iterations = {};  // of solvers that iterate, as in RadiosityOptions
   std::optional<double> until = {};
   std::optional<Grid2> grid = {};  // nothing: default_grid(scene)
-  bool wants_light = true;         // whether the plan reckons with it; light is made when it is asked for
+  bool wants_light = true;         // whether the plan counts it; light is made when it is asked for
   LightKind2 light = LightKind2::kPoint;
   LightTest lights = LightTest::kExact;  // how elements are lit by the scene's lights; light in the rooms stays exact
   bool keeps_rows = false;  // what the cells see is kept: light after an edit of materials needs no further look
   std::shared_ptr<const LightPainter2> painter = {};  // null: no picture can be asked for
   std::uint64_t memory = 0;                           // bytes, as memory_allowed() takes it
-  // Where factors are read that were kept, and kept that were computed. Nothing that is computed depends on it.
+  // The store that kept factors are read from and computed ones are written to. Nothing that is computed depends on it.
   std::shared_ptr<FactorStore> store = {};
 
   friend bool operator==(const SimulationRequest2&, const SimulationRequest2&) = default;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "kernel/support/stopwatch.h"
 #include "solver/space/compare/verdict.h"
 #include "solver/space/light/illumination_grid.h"
 
@@ -18,12 +19,11 @@ ComparisonReference<PreparedScene3> reference_of(const Simulation3& simulation, 
                                                                        .memory = asked.memory,
                                                                        .store = asked.store}});
   const auto prepared = by_elements.prepared(progress);
+  Stopwatch watch;
   const auto computed = by_elements.factors(progress);
-  return {prepared,
-          {computed, &computed->matrix},
-          *by_elements.light_shares(progress),
-          asked.tolerance,
-          asked.must_be_enclosed};
+  const double seconds = watch.lap();
+  return {prepared,        {computed, &computed->matrix}, *by_elements.light_shares(progress),
+          asked.tolerance, asked.must_be_enclosed,        seconds};
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ Polygon3 cell_polygon(const Grid3& grid, std::size_t cell) {
   const Rational nu(grid.nu), nv(grid.nv);
   const Rational s = i / nu, t = j / nv, s_end = (i + 1) / nu, t_end = (j + 1) / nv;
   Polygon3 polygon;
-  polygon.points = {place_on(grid, s, t), place_on(grid, s_end, t), place_on(grid, s_end, t_end),
-                    place_on(grid, s, t_end)};
+  polygon.points = {place_in(grid, s, t), place_in(grid, s_end, t), place_in(grid, s_end, t_end),
+                    place_in(grid, s, t_end)};
   return polygon;
 }
 
@@ -49,7 +49,7 @@ struct SceneOfCells3 {
   std::size_t cells;
 
   SceneOfCells3(const Scene3& original, const Grid3& grid)
-      : scene(original), prefix(free_prefix(original)), cells(std::size_t{grid.nu} * grid.nv) {
+      : scene(original), prefix(free_prefix(original)), cells(grid.cells()) {
     scene.closed = false;
     scene.materials = {Material{.name = "black", .reflectivity = {}, .emission = {}}};
     for (Surface& surface : scene.surfaces) {

@@ -21,8 +21,8 @@ namespace hottel {
 //
 // asked: granularity, tolerance, whether it proves, the way of the sky, memory and progress are those of the factors;
 // rows are those of cells. Throws as exact_exchange; Interrupted when asked to stop. REQUIRES the solution of the
-// scene's matrix by that granularity. COST: that of the rows of as many elements as there are cells, and of a scene
-// with as many polygons more.
+// scene's matrix by that granularity, and a grid that is no volume. COST: that of the rows of as many elements as there
+// are cells, and of a scene with as many polygons more.
 IlluminationGrid3 average_irradiance(const PreparedScene3& prepared, const RadiositySolution& solution,
                                      const Grid3& grid, ExchangeRequest asked);
 

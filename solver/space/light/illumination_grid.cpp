@@ -18,15 +18,13 @@ std::optional<double> IlluminationGrid3::max_error() const {
   return *std::ranges::max_element(errors);
 }
 
-Point3 place_on(const Grid3& grid, const Rational& s, const Rational& t) {
-  return {grid.origin.x + s * grid.u.x + t * grid.v.x, grid.origin.y + s * grid.u.y + t * grid.v.y,
-          grid.origin.z + s * grid.u.z + t * grid.v.z};
-}
-
 Point3 cell_centre(const Grid3& grid, std::size_t cell) {
-  const Rational s = Rational(2 * (cell % grid.nu) + 1) / Rational(2 * std::size_t{grid.nu});
-  const Rational t = Rational(2 * (cell / grid.nu) + 1) / Rational(2 * std::size_t{grid.nv});
-  return place_on(grid, s, t);
+  const auto middle = [](std::size_t k, std::size_t count) -> Rational {
+    return Rational(2 * k + 1) / Rational(2 * count);
+  };
+  const std::size_t layer = std::size_t{grid.nu} * grid.nv, in_layer = cell % layer;
+  return place_in(grid, middle(in_layer % grid.nu, grid.nu), middle(in_layer / grid.nu, grid.nv),
+                  middle(cell / layer, grid.nw));
 }
 
 IlluminationGrid3 light_in_cells(const Grid3& grid, std::uint32_t channels,
@@ -34,7 +32,7 @@ IlluminationGrid3 light_in_cells(const Grid3& grid, std::uint32_t channels,
                                  const std::function<void(double)>& progress) {
   Stopwatch watch;
   IlluminationGrid3 result{grid, channels, {}};
-  const std::size_t cells = std::size_t{grid.nu} * grid.nv;
+  const std::size_t cells = grid.cells();
   result.values.assign(cells * channels, std::numeric_limits<double>::quiet_NaN());
   ProgressCount count(progress, cells);
   parallel_for(

@@ -1,4 +1,4 @@
-// Light between the faces in space, on a planar grid of points.
+// Light between the faces in space, on a planar grid of points, or in a volume of them.
 #pragma once
 
 #include <cstddef>
@@ -16,9 +16,9 @@ namespace hottel {
 
 struct PreparedScene3;
 
-// A value for each cell and channel, in C order (nv, nu, channels): index 0 is the cell at the origin, and cells along
-// u follow each other. NaN in all channels: the centre of the cell is in a solid, or the
-// scene is closed and the centre sees no face with a material.
+// A value for each cell and channel, in C order (nv, nu, channels), of a volume (nw, nv, nu, channels): index 0 is the
+// cell at the origin, and cells along u follow each other. NaN in all channels: the centre of the cell is in a solid,
+// or the scene is closed and the centre sees no face with a material.
 struct IlluminationGrid3 {
   Grid3 grid;
   std::uint32_t channels = 1;
@@ -30,13 +30,11 @@ struct IlluminationGrid3 {
   // The largest of the errors; nothing of light at points.
   std::optional<double> max_error() const;
 
+  // Of a planar grid.
   double at(std::uint32_t iu, std::uint32_t iv, std::uint32_t channel = 0) const {
     return values[(std::size_t{iv} * grid.nu + iu) * channels + channel];
   }
 };
-
-// Returns the place s along u and t along v: the origin at 0, 0.
-Point3 place_on(const Grid3& grid, const Rational& s, const Rational& t);
 
 // Returns the centre of a cell, exactly: cells in the order of IlluminationGrid3.
 Point3 cell_centre(const Grid3& grid, std::size_t cell);

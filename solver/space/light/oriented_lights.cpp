@@ -6,7 +6,6 @@
 
 #include "kernel/support/parallel.h"
 #include "kernel/support/progress_count.h"
-#include "solver/space/light/illumination_grid.h"
 
 namespace hottel {
 
@@ -34,7 +33,7 @@ std::vector<OrientedLight> oriented_lights_on_grid(const PreparedScene3& prepare
                                                    const std::function<void(double)>& progress) {
   const OrientedLights3 lights(prepared, granularity, solution);
   const Vector3 normal = cross(grid.u, grid.v);
-  std::vector<OrientedLight> result(std::size_t{grid.nu} * grid.nv);
+  std::vector<OrientedLight> result(grid.cells());
   ProgressCount count(progress, result.size());
   parallel_for(
       result.size(),
@@ -43,6 +42,15 @@ std::vector<OrientedLight> oriented_lights_on_grid(const PreparedScene3& prepare
         count.add(1);
       },
       4);
+  return result;
+}
+
+std::vector<OrientedLight> lights_around(const IlluminationGrid3& light) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  std::vector<OrientedLight> result;
+  result.reserve(light.grid.cells());
+  for (auto at = light.values.begin(); at != light.values.end(); at += light.channels)
+    result.push_back({std::vector(light.channels, kNaN), std::vector(at, at + light.channels), kNaN});
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include "geometry/space/scene/scene.h"
 #include "solver/radiosity/oriented_light.h"
 #include "solver/radiosity/radiosity_solution.h"
+#include "solver/space/light/illumination_grid.h"
 #include "solver/space/light/scene_lights.h"
 #include "solver/space/light/sent_out.h"
 
@@ -37,12 +38,16 @@ class OrientedLights3 {
   SceneLights3 lights_;
 };
 
-// Returns the light at the centre of each cell of a grid, in the order of IlluminationGrid3, on areas whose fronts look
-// along u x v: OrientedLights3::at, bit for bit.
+// Returns the light at the centre of each cell of a planar grid, in the order of IlluminationGrid3, on areas whose
+// fronts look along u x v: OrientedLights3::at, bit for bit.
 //
 // progress: fraction done; may throw to stop. REQUIRES what OrientedLights3 does. COST: parallel.
 std::vector<OrientedLight> oriented_lights_on_grid(const PreparedScene3& prepared, Granularity granularity,
                                                    const RadiositySolution& solution, const Grid3& grid,
                                                    const std::function<void(double)>& progress = {});
+
+// Returns the light at the centre of each cell as far as it is the same whatever way areas look: the mean irradiance.
+// The rest is NaN. It is what there is in a volume, which has no u x v.
+std::vector<OrientedLight> lights_around(const IlluminationGrid3& light);
 
 }  // namespace hottel

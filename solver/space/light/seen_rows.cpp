@@ -25,9 +25,8 @@ SeenRow3 row_at(const SeenElements3& seen, const Point3& centre, std::uint32_t s
 void require_memory(std::uint64_t taken, std::uint64_t allowed, const Grid3& grid) {
   if (taken > allowed)
     throw RequestError(
-        fmt::format("what {} x {} cells see takes more than the {} bytes of memory that are allowed; "
-                    "take a coarser --grid",
-                    grid.nu, grid.nv, allowed));
+        fmt::format("what {} cells see takes more than the {} bytes of memory that are allowed; take a coarser --grid",
+                    grid.cells(), allowed));
 }
 
 }  // namespace
@@ -35,7 +34,7 @@ void require_memory(std::uint64_t taken, std::uint64_t allowed, const Grid3& gri
 std::vector<SeenRow3> seen_rows(const PreparedScene3& prepared, const ElementTable3& table, const Grid3& grid,
                                 std::uint64_t memory, const std::function<void(double)>& progress) {
   const SeenElements3 seen(prepared, table, Blacks3::kListed);
-  std::vector<SeenRow3> rows(std::size_t{grid.nu} * grid.nv);
+  std::vector<SeenRow3> rows(grid.cells());
   std::atomic<std::uint64_t> taken = rows.size() * sizeof(SeenRow3);
   ProgressCount count(progress, rows.size());
   parallel_for(

@@ -1,4 +1,9 @@
 // Common questions to a simulation in space: of faces by name.
+//
+//   const Simulation3 simulation(read_scene_3("scenes/space/cube.json"), {.factors = {.tolerance = 1e-12}});
+//   const KnownFactor3 f = view_factor(simulation, "floor", "ceiling");
+//   std::printf("F = %.12f in [%.15f, %.15f]\n", f.value, f.bounds.lower, f.bounds.upper);
+//   std::printf("B = %.9f\n", radiosity_of(simulation, "floor").radiosity);
 #pragma once
 
 #include <cstddef>
@@ -13,7 +18,7 @@ namespace hottel {
 struct SceneCheck3;
 class Simulation3;
 
-// A view factor, what is known of it, and Vis.
+// A view factor, and what is known of it.
 struct KnownFactor3 {
   double value = 0;
   Enclosure bounds{0, 0};                      // proven
@@ -23,12 +28,12 @@ struct KnownFactor3 {
 // Each makes the stages that it needs, and throws what they throw (simulation.h), unless it says otherwise. Names are
 // those of the rows: "wall", "wall:back", "wall#2" where they are elements; UnknownName where there is none.
 
-// Returns F(from, to), `to` may be "sky"; by the exact method exactly 0 where nothing goes from one to the other.
-// Throws UsageError where `from` has no row.
+// Returns F(from, to); `to` may be "sky". By the exact method it is exactly 0 where the two exchange nothing. Throws
+// UsageError where `from` has no row.
 KnownFactor3 view_factor(const Simulation3& simulation, const std::string& from, const std::string& to);
 
-// Returns the radiosity of an element in a channel, with its bounds, and what goes with it. Throws UsageError where the
-// element has no row. REQUIRES a channel of the solution.
+// Returns what is known of an element in a channel: its radiosity with bounds, irradiance and net flux. Throws
+// UsageError where the element has no row. REQUIRES a channel of the solution.
 ElementRadiosity radiosity_of(const Simulation3& simulation, const std::string& element, std::size_t channel = 0);
 
 // Returns what is worth telling about the scene (check_scene), with what the simulation has of it. REQUIRES factors by

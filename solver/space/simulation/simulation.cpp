@@ -184,6 +184,8 @@ struct Simulation3::Version {
       : scene(std::move(its_scene)), request(its_request) {
     if (const std::string problem = request.light.grid ? grid_problem(*request.light.grid) : ""; !problem.empty())
       throw UsageError("the grid of a request: " + problem);
+    if (const auto where = grid(); request.light.is_average && where && where->is_volume())
+      throw UsageError("averages are of the irradiance of cells on a side, and a volume has none");
     const bool keeps_factors = other != nullptr && other->request.factors == request.factors;
     const bool keeps_lights = keeps_factors && other->request.lights == request.lights;
     const bool keeps_system = keeps_factors && other->request.system == request.system;
@@ -342,7 +344,7 @@ struct Simulation3::Version {
                                 : illuminate_points(*there, asked.granularity, *solution, where, told);
             });
           });
-    if (picture == nullptr && request.light.painter != nullptr)
+    if (picture == nullptr && request.light.painter != nullptr && !grid()->is_volume())
       picture = std::make_shared<Stage<LightPicture3>>(
           "picture", [lit = light, painter = request.light.painter](const StageProgress& progress) {
             const auto values = lit->get(progress);

@@ -1,4 +1,9 @@
-// A scene in space, simulated: what is asked for is made when it is asked for, and kept.
+// A scene in space, simulated: each result is made when it is first asked for, and kept.
+//
+//   const Simulation3 simulation(read_scene_3("scenes/space/cube.json"), {.factors = {.tolerance = 1e-12}});
+//   const auto factors = simulation.factors();
+//   std::printf("%u elements\n", factors->matrix.size());
+//   std::printf("B = %.9f\n", simulation.radiosities()->channels[0].elements[0].radiosity);
 #pragma once
 
 #include <cstdint>
@@ -37,7 +42,7 @@ struct FactorsRequest3 {
   Granularity granularity = Granularity::kFace;
   bool wants_visibility = false, wants_measures = false;  // beside the factors
   double tolerance = 1e-9;                                // as ExchangeRequest takes it
-  SkyBy sky = SkyBy::kIntegral;                           // how it is told what is seen of the sky
+  SkyBy sky = SkyBy::kIntegral;                           // how factors of the sky are computed
   bool must_be_enclosed = false;                          // a pair without an enclosure within the tolerance is refused
   RowChoice rows = {};                                    // as ExchangeRequest takes them
   std::uint64_t memory = 0;                               // bytes, as memory_allowed() takes it
@@ -77,7 +82,8 @@ class LightPainter3 {
   virtual LightPicture3 paint(const IlluminationGrid3& light) const = 0;
 };
 
-// Where light between the faces is asked for, and who draws it; painters are alike when they are the same object.
+// Where light between the faces is asked for, on a planar grid or in a volume, and who draws it; painters are alike
+// when they are the same object.
 struct LightRequest3 {
   std::optional<Grid3> grid = {};                          // nothing: the first of the scene
   std::shared_ptr<const LightPainter3> painter = nullptr;  // null: no picture can be asked for
@@ -91,34 +97,34 @@ struct SimulationRequest3 {
   SystemRequest3 system{};
   LightRequest3 light{};
   LightTest lights = LightTest::kExact;  // how elements are lit by the scene's lights; light on the grid stays exact
-  PlanRequest plan{};                    // what of it the plan reckons with
+  PlanRequest plan{};                    // what the plan counts
   friend bool operator==(const SimulationRequest3&, const SimulationRequest3&) = default;
 };
 
-// True iff any two materials act alike now exactly if they did before. Then the claims of surfaces that overlap are
-// settled as before, and what was arranged can be shared. REQUIRES equally many materials in both.
+// True iff the same pairs of materials act alike in both lists. Then the claims of surfaces that overlap are settled as
+// before, and the arrangement can be shared. REQUIRES equally many materials in both.
 bool are_alike_as_before_3(const std::vector<Material>& before, const std::vector<Material>& now);
 
-// One version of a scene and what is asked of it, with what follows, in stages ("a <- b": b is made from a):
+// One version of a scene and of what is asked of it, with all results, in stages ("a <- b": b is made from a):
 //
 //   prepared <- factors <- system <- radiosities <- light <- picture;   plan, hidden pairs after the factors, and the
 //   estimate of dividing after the radiosities, beside them
 //
-// A version never changes. What is asked for is made at the first call, with what it needs before it, and returned as a
-// shared value that outlives the version.
+// A version never changes. The first call for a stage makes it, with the stages that it needs; every call returns it as
+// a shared value that outlives the version.
 //
 //   (1) every value is a function of scene and request: bit for bit that of a new simulation, whatever was asked or
 //       cancelled before, on any number of threads. (`seconds` in reports are what was measured)
 //   (2) any number of threads may ask one version at once; stages are made, waited for, cancelled and failed as
 //       kernel/support/stage.h says
-//   (3) another request of the same scene shares what is prepared, and each of plan, factors, lights, system,
-//       radiosities, light and picture where it and all that it is made from are asked for alike; hidden pairs go with
-//       the factors, the estimate of dividing with the radiosities
-//   (4) a scene with other materials that are equal to each other exactly where they were (are_alike_as_before_3)
-//       shares the factors, and where no reflectivity is another the system too; else it is arranged anew, and takes
-//       a copy of the factors
-//   (5) a scene of the same shape shares what is arranged however its surfaces are divided, the factors too where they
-//       are divided alike, and what lights shine on where these stand and shine alike
+//   (3) a version with another request shares the prepared scene. It shares each of plan, factors, lights, system,
+//       radiosities, light and picture if the request asks alike for it and for all that it is made from. Hidden pairs
+//       go with the factors, the estimate of dividing with the radiosities
+//   (4) a version with other materials shares the factors if the same pairs of materials act alike
+//       (are_alike_as_before_3), and the system too if no reflectivity changed; else it is arranged anew, and takes a
+//       copy of the factors
+//   (5) a version with a scene of the same shape shares the arrangement, however surfaces are divided. It shares the
+//       factors too if they are divided alike, and the light of lamps if those stand and shine alike
 //
 // Light and picture are those of the solution on the grid, and made anew wherever the solution is.
 // RequestErrors name the scene's file: where the memory does not suffice, a pair cannot be measured, or one without an
@@ -126,7 +132,7 @@ bool are_alike_as_before_3(const std::vector<Material>& before, const std::vecto
 class Simulation3 {
  public:
   // Throws InputError naming file, line and surface unless the scene is valid (validate). This and with_request() throw
-  // UsageError where the request's grid is not valid (grid_problem).
+  // UsageError where the request's grid is not valid (grid_problem), or averages are asked for in a volume.
   explicit Simulation3(Scene3 scene, SimulationRequest3 request = {});
   Simulation3 with_request(const SimulationRequest3& request) const;
   // The scene with these materials in place of its own, of the same names. Throws InputError as the constructor,
@@ -150,7 +156,7 @@ class Simulation3 {
   std::shared_ptr<const RadiositySolver> system(const StageProgress& progress = {}) const;
   std::shared_ptr<const RadiositySolution> radiosities(const StageProgress& progress = {}) const;
   std::shared_ptr<const DividingEstimate> dividing(const StageProgress& progress = {}) const;
-  // REQUIRES a grid, and picture() a painter in the request; both throw ContractViolation otherwise.
+  // REQUIRES a grid, and picture() a planar one and a painter in the request; both throw ContractViolation otherwise.
   std::shared_ptr<const IlluminationGrid3> light(const StageProgress& progress = {}) const;
   std::shared_ptr<const LightPicture3> picture(const StageProgress& progress = {}) const;
   // The pairs that are hidden (hidden_pairs of exchange.h).

@@ -20,6 +20,7 @@
 #include "io/scene/scene_json.h"
 #include "tests/comparison/space/pair_scene.h"
 #include "tests/oracle/space/random_polygons.h"
+#include "tests/sanitizers.h"
 
 namespace hottel::proven_test {
 namespace {
@@ -301,6 +302,51 @@ TEST(ProvenStorm, EnclosuresAgree) {
     compared += expect_enclosed(oracle::piercing_triangles(seed, 8, 100, 40), 30);
   }
   EXPECT_GT(compared, 200u);
+}
+
+// Calls it for pairs of sides of triangles that pierce each other, until there are enough with something between them
+// and nothing that hides all.
+template <class Visit>
+void for_each_pierced_pair(std::size_t most, const Visit& visit) {
+  std::size_t count = 0;
+  for (std::uint64_t seed = 1; count < most; ++seed) {
+    const auto polygons = oracle::piercing_triangles(seed, 3, 100, 60);
+    const oracle::PairScene3 scene(polygons);
+    for (std::size_t a = 0; a < polygons.size(); ++a)
+      for (std::size_t b = a + 1; b < polygons.size(); ++b)
+        for (const unsigned backs : {0U, 1U, 2U, 3U})
+          if (count < most && visit(scene, scene.patch(a, backs % 2 == 1), scene.patch(b, backs > 1))) ++count;
+  }
+}
+
+// The sum of rules, each off by no more than it states, rounding included, is where bounds say. (On the lattice, as
+// many as one likes: hottel_storm --dimension 3 --law stated.)
+TEST(ProvenStorm, TenThousandSumsAreWithinBounds) {
+  for_each_pierced_pair(kHasAddressSanitizer ? 300 : 10'000, [](const auto& scene, const Patch3& i, const Patch3& j) {
+    PairRequest3 fine;
+    fine.tolerance = 1e-12;
+    const PairResult3 sum = scene.measure(i, j, fine);
+    if (sum.measure == 0 || sum.is_whole) return false;
+    const PairResult3 proven = scene.measure(i, j, proving(1e-9));
+    EXPECT_EQ(sum.problem, "");
+    EXPECT_LE(proven.bounds.lower - sum.error, sum.measure);
+    EXPECT_GE(proven.bounds.upper + sum.error, sum.measure);
+    EXPECT_LE(proven.bounds.width(), 1e-9 * std::min(scene.area(i), scene.area(j)));
+    return true;
+  });
+}
+
+// Where an edge is looked at, its exact middle, is 2^-60 from where what is seen changes: no double is between.
+TEST(ProvenStorm, PlacesNextToRootsArePartsOfTheirOwn) {
+  const mpq_class nearly("54043195528445951/18014398509481984");  // 3 - 2^-54
+  const oracle::PairScene3 scene({{{0, 0, 4}, {0, 4, 4}, {1, 0, 3}},
+                                  {{4, 0, 0}, {4, 2, 0}, {0, 3, 0}},
+                                  {{4, 1, 3}, {0, 2, nearly}, {0, 0, 0}},
+                                  {{3, 2, 0}, {2, 3, 0}, {1, 3, 1}}});
+  const PairResult3 found = scene.measure(scene.patch(0), scene.patch(1), proving(1e-9));
+  EXPECT_LE(found.bounds.width(), 1e-9 * scene.area(scene.patch(0)));
+  EXPECT_LE(found.bounds.lower, 0.0118404369362029440);
+  EXPECT_GE(found.bounds.upper, 0.0118404369362029439);
 }
 
 // Numbers are those without proofs; rows of a closed room hold 1, and bounds are the same for any number of threads.

@@ -191,14 +191,14 @@ TEST(MeshWriter, RefusesWhatTheFormatCannotHold) {
     return "";
   };
   for (const MeshFormat3 format : kAll)
-    EXPECT_EQ(refusal(Scene3(), format), "the scene has no polygons, and a mesh has some");
+    EXPECT_EQ(refusal(Scene3(), format), "the scene has no polygons: there is nothing to write as a mesh");
   const Scene3 large = scene_of_polygons(R"({"points": [[0,0,0],["1e39",0,0],[0,1,0]], "material": "white"})");
   EXPECT_THAT(refusal(large, MeshFormat3::kStl), HasSubstr("is beyond the largest float, which STL has"));
   EXPECT_EQ(refusal(large, MeshFormat3::kPly), "");
   const Scene3 obstruction =
       scene_of_polygons(R"({"name": "post", "points": [[0,0,0],[1,0,0],[0,1,0]], "obstruction": true})");
   for (const MeshFormat3 format : kAll)
-    EXPECT_THAT(refusal(obstruction, format), HasSubstr("'post' is an obstruction, which a mesh cannot say"));
+    EXPECT_THAT(refusal(obstruction, format), HasSubstr("'post' is an obstruction, which a mesh file cannot hold"));
   for (const char* name : {" a", "a ", "a  b", "a\\\\", "a.mtl b"})
     EXPECT_THAT(refusal(scene_of_polygons(R"({"points": [[0,0,0],[1,0,0],[0,1,0]], "material": "white", "group": ")" +
                                           std::string(name) + "\"}"),

@@ -194,6 +194,21 @@ TEST(SceneJson3, ReadsAGridAndRefusesWrongOnes) {
   EXPECT_THAT(refusal(with_grid(R"("min": [0,0], "max": [1,1], "cells": [1,1])")), HasSubstr("unknown key 'min'"));
 }
 
+TEST(SceneJson3, ReadsVolumesAndWritesThem) {
+  const auto with_grid = [](const std::string& members) { return scene_with("\"grid\": {" + members + "}"); };
+  const std::string sides = R"("origin": [0, "1/3", 1], "u": [2, 0, 0], "v": [0, 1, 0])";
+  const Grid3 grid{{0, Rational(1) / 3, 1}, {2, 0, 0}, {0, 1, 0}, 4, 3, "", Vector3{0, 1, 2}, 5};
+  const Scene3 scene = parse(with_grid(sides + R"(, "w": [0, 1, 2], "cells": [4, 3, 5])"));
+  EXPECT_EQ(scene.grids, std::vector{grid});
+  EXPECT_EQ(grid.cells(), 60U);
+  EXPECT_EQ(parse(write_scene_3(scene)).grids, scene.grids);
+  EXPECT_THAT(refusal(with_grid(sides + R"(, "w": [0, 1, 2], "cells": [4, 3])")),
+              HasSubstr("three numbers, along u, v and w"));
+  EXPECT_THAT(refusal(with_grid(sides + R"(, "cells": [4, 3, 5])")), HasSubstr("a third is of a grid with \"w\""));
+  EXPECT_THAT(refusal(with_grid(sides + R"(, "w": [3, 4, 0], "cells": [4, 3, 5])")),
+              HasSubstr("grid: w lies in the plane of u and v"));
+}
+
 TEST(SceneJson3, ReadsAListOfGridsWithNames) {
   const std::string place = R"("origin": [0, 0, 1], "u": [2, 0, 0], "v": [0, 1, 0], "cells": [4, 3])";
   const auto with_grids = [&](const std::vector<std::string>& names) {

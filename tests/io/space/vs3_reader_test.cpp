@@ -243,7 +243,7 @@ TEST(Vs3Reader, RowAndColumnAreSurfacesOfTheScene) {
   EXPECT_EQ(refusal("T t\nC row=4\n" + surfaces), "in/room.vs3:2: row=4: the deck has 3 surfaces");
   EXPECT_EQ(refusal("C row=2\n" + surfaces),
             "in/room.vs3:1: row=2: surface 2 'under' has no row: only those of S and M records are there");
-  EXPECT_EQ(refusal("C col=1\n" + surfaces), "in/room.vs3:1: col=1 is set, but no row: it is a part of one");
+  EXPECT_EQ(refusal("C col=1\n" + surfaces), "in/room.vs3:1: col=1 is set without row=: a column belongs to a row");
   EXPECT_EQ(refusal("C out=3\n" + surfaces),
             "in/room.vs3:1: control out is 3: there are 0, text, 1, binary, and 2, a sparse list");
   EXPECT_THAT(refusal("C row=-1\n" + surfaces), StartsWith("in/room.vs3:1: control row is no whole number: '-1'"));

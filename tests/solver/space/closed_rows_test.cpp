@@ -12,6 +12,7 @@
 
 #include "geometry/space/exchange/exchange.h"
 #include "geometry/space/generate/generators.h"
+#include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "solver/radiosity/radiosity.h"
@@ -74,6 +75,82 @@ TEST(ClosedRowsInSpace, LeaveIsothermalRoomsAsBrightAsTheyAre) {
       EXPECT_LE(e.net_lower, 0) << name;
       EXPECT_GE(e.net_upper, 0) << name;
       EXPECT_LE(e.net_upper - e.net_lower, 1e-9) << name;
+    }
+  }
+}
+
+// A room whose floor has the shape of an L, of one wall after another.
+Scene3 room_of_two_arms() {
+  const std::array<std::array<int, 2>, 6> corners{{{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 5}, {0, 5}}};
+  std::string floor, ceiling, walls;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const auto [x, y] = std::pair(corners[k][0], corners[k][1]);
+    const auto [u, v] = std::pair(corners[(k + 1) % 6][0], corners[(k + 1) % 6][1]);
+    floor += fmt::format("{}[{},{},0]", k == 0 ? "" : ",", x, y);
+    ceiling = fmt::format("[{},{},3]{}", x, y, k == 0 ? "" : ",") + ceiling;
+    walls += fmt::format(R"(,{{"points": [[{},{},0],[{},{},0],[{},{},3],[{},{},3]], "material": "m{}"}})", u, v, x, y,
+                         x, y, u, v, k % 3);
+  }
+  return parse_scene_3(
+      fmt::format(R"({{"hottel": 1, "dimension": 3, "closed": true, "materials": {{"m0": {{}}, "m1": {{}}, "m2": {{}}}},
+                       "polygons": [{{"points": [{}], "material": "m0"}}, {{"points": [{}], "material": "m1"}}{}]}})",
+                  floor, ceiling, walls),
+      "two arms");
+}
+
+// Each row asked for alone: so nothing is narrowed by what other pairs leave, and no row promises to be closed.
+ExchangeMatrix unclosed_factors(const Scene3& scene) {
+  const PreparedScene3 prepared = prepare(scene);
+  std::vector<std::size_t> begin{0};
+  std::vector<FactorEntry> found;
+  std::vector<Enclosure> bounds;
+  const auto table = prepared.elements(Granularity::kFace);
+  for (std::uint32_t i = 0; i < table->count(); ++i) {
+    ExchangeRequest request{.wants_visibility = false, .proves = true};
+    if (table->has_row(i)) {
+      request.rows = RowChoice::of(scene, table->elements()[i].name, Granularity::kFace);
+      const ExchangeMatrix row = exact_exchange(prepared, request);
+      EXPECT_FALSE(row.has_closed_rows());
+      for (std::size_t k = 0; k < row.row(i).size(); ++k) {
+        found.push_back(row.row(i)[k]);
+        bounds.push_back(row.bounds(i, k));
+      }
+    }
+    begin.push_back(found.size());
+  }
+  FactorEntries entries(found.size());
+  for (std::size_t k = 0; k < found.size(); ++k) entries.set(k, found[k]);
+  ExchangeMatrix matrix(table->elements(), Guarantee::kEstimated);
+  matrix.assign(std::move(begin), std::move(entries), {}, std::move(bounds),
+                std::vector<Guarantee>(found.size(), Guarantee::kEnclosed));
+  return matrix;
+}
+
+// Rooms of every kind, and a town under a sky as warm as it is.
+TEST(ClosedRowsInSpace, AreNotNeededToBoundWhatIsAllOneTemperature) {
+  std::vector<std::pair<std::string, Scene3>> scenes = rooms();
+  scenes.emplace_back("two arms", room_of_two_arms());
+  scenes.emplace_back("town", generate_3({.kind = "town", .n = 3, .seed = 1}));
+  for (const char* kind : {"room-stacked", "room-piercing"})
+    scenes.emplace_back(kind, generate_3({.kind = kind, .n = 2, .seed = 1}));
+  for (const auto& [name, scene] : scenes) {
+    const ExchangeMatrix matrix = unclosed_factors(scene);
+    std::vector<Material> materials;
+    for (std::size_t k = 0; k < scene.materials.size(); ++k) {
+      const Rational e(static_cast<long>(k % 3) + 2, 5);
+      materials.emplace_back();
+      materials.back().name = scene.materials[k].name;
+      materials.back().reflectivity = Spectrum::scalar(1 - e);
+      materials.back().emission = Spectrum::scalar(e);
+    }
+    const RadiositySolution solution = solve_radiosity(matrix, materials, Spectrum::scalar(1));
+    EXPECT_EQ(solution.guarantee, Guarantee::kEnclosed) << name;
+    for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+      if (matrix.row(i).empty()) continue;
+      const ElementRadiosity& e = solution.channels[0].elements[i];
+      EXPECT_LE(e.lower, 1) << name;
+      EXPECT_GE(e.upper, 1) << name;
+      EXPECT_LE(e.upper - e.lower, 1e-9) << name;
     }
   }
 }

@@ -156,6 +156,21 @@ std::string proof_is_broken(const Subject3& subject) {
   return wrong;
 }
 
+// Bounds that hold S need not hold the sum of a rule, but that is off by no more than it states, rounding included.
+std::string statement_is_broken(const Subject3& subject) {
+  const PairResult3& m = subject.measure();
+  if (!m.problem.empty()) return "";                                    // which other laws tell
+  const bool is_hard = subject.tolerance(subject.area()) > kTolerance;  // needles
+  PairRequest3 how = request(1e-9);
+  how.proves = true;
+  const auto proven = subject.scene().measure(subject.i(), subject.j(), how).bounds;
+  if (proven.lower - m.error <= m.measure && m.measure <= proven.upper + m.error &&
+      (is_hard || proven.width() <= how.tolerance * subject.area()))
+    return "";
+  return fmt::format("S = {:.17g} +- {:.3g}, proven in [{:.17g}, {:.17g}]\n", m.measure, m.error, proven.lower,
+                     proven.upper);
+}
+
 std::string rays_are_broken(const Subject3& subject) {
   const oracle::FlatPair pair = oracle::first_pair(subject.polygons());
   const PairResult3& m = subject.measure();
@@ -465,6 +480,7 @@ const std::vector<Law3>& laws_3() {
                                      {"along edges", edges_are_broken, 2},
                                      {"loose", looseness_is_broken, 3},
                                      {"proven", proof_is_broken, 4},
+                                     {"stated", statement_is_broken, 1},
                                      {"rays", rays_are_broken, 2},
                                      {"quadrature", quadrature_is_broken, 37},
                                      {"translation", translation_is_broken, 7},

@@ -58,6 +58,8 @@ struct Law3 {
 //   along edges     S and its verdicts are the same where also what is clear is settled along edges
 //   loose           S asked for within 1e-9 and 1e-6 is within its stated error; is_whole and S = 0 are the same
 //   proven          bounds proven within 1e-7 and 1e-10, from i to j, and from j to i about another origin, hold S
+//   stated          bounds proven within 1e-9 hold S, give or take the error that its rules state, rounding included,
+//                   and are as narrow as that but where doubles do not go as far as 1e-12
 //   rays            S is within six standard errors of what rays find; they find nothing where S = 0, and nothing held
 //                   up where all is seen
 //   quadrature      S is what quadrature over points of i and over points of j find, within their errors, where they

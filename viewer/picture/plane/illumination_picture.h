@@ -1,4 +1,4 @@
-// Light in space as a picture, under the plan of the scene.
+// Light in the rooms of a scene in the plane as a picture, under the plan of the scene.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,9 @@
 // A scene in the plane as an architect's plan, plain or with a value on each face.
+//
+//   const Simulation2 simulation(read_scene_2("scenes/showcase/apartment.json"));
+//   const ScenePicture2 picture{.sheet = {.title = "Apartment"}};
+//   const std::string bytes = scene_picture_2(*simulation.prepared(), picture, PictureFormat::kSvg);
+//   std::ofstream("plan.svg", std::ios::binary) << bytes;
 #pragma once
 
 #include <cstdint>
