@@ -9,6 +9,7 @@
 #include "cli/memory/give_back.h"
 #include "cli/methods.h"
 #include "cli/script_f.h"
+#include "cli/streamed_factors.h"
 #include "cli/unit_notes.h"
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/exchange/exchange.h"
@@ -65,6 +66,13 @@ void require_sense_of_rows(const FactorsOptions& options) {
     throw UsageError("with --json the factors need a file: --rows wants -o FILE");
 }
 
+void require_sense_of_folders(const FactorsOptions& options) {
+  if (!options.has_sums_on_disk() || needs_rows_alone(options)) return;
+  throw UsageError(std::string(options.checkpoint.empty() ? "--out-of-core" : "--checkpoint") +
+                   " is of lists of pairs (.csv, .mtx, .h5) by the method exact: without --store, --matrix, --pairs, "
+                   "--picture, --script-f and --exact-form, and --json with -o FILE");
+}
+
 // What CLI11 does not see.
 void require_sense(const FactorsOptions& options) {
   if (options.scene.empty()) throw UsageError("factors needs a scene");
@@ -95,6 +103,7 @@ void require_sense(const FactorsOptions& options) {
     throw UsageError("--script-f lists all pairs that exchange heat: it goes with --pairs visible only");
   require_sense_of_digits(options);
   require_sense_of_rows(options);
+  require_sense_of_folders(options);
   if (options.picture.empty() != options.toward.empty()) throw UsageError("--picture and --toward go together");
   if (!options.picture.empty() && options.granularity != "face")
     throw UsageError("--picture colours whole faces: it is drawn --per face, not --per " + options.granularity);
@@ -160,6 +169,8 @@ void factors_in_plane(FactorsOptions& options, Scene2 scene, Streams& streams) {
 
   FactorsFiles files(options, streams);
   simulation.require_closed(streams.stages());
+  if (streams_rows(options, simulation, streams))
+    return write_streamed_factors(options, simulation, origin, files, streams);
   if (takes_groups_of_many(options, simulation.factors(streams.stages())->matrix.entry_count(), streams))
     simulation = simulation.with_request(request_of(options, simulation.scene()));
   const Factors factors = factors_of(options, simulation, streams);
@@ -320,6 +331,16 @@ void add_factors(Commands& commands) {
   command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
       ->type_name("BYTES")
       ->transform(whole_number(1));
+  CLI::Option* out_of_core = command.add_option(
+      "--out-of-core", options->out_of_core,
+      "in the plane: the sums of pairs go to files in this folder while the run lasts, so that it keeps "
+      "to --memory however many pairs there are; the same result");
+  out_of_core->type_name("DIR");
+  command
+      .add_option("--checkpoint", options->checkpoint,
+                  "the same, and the files stay where the run is ended: the same command goes on from there")
+      ->type_name("DIR")
+      ->excludes(out_of_core);
   command
       .add_option("--picture", options->picture,
                   "draw the scene (.png, .svg, .pdf), faces coloured by their factor to --toward")

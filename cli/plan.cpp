@@ -10,12 +10,16 @@
 #include "cli/room_for_elements.h"
 #include "cli/scene_input.h"
 #include "cli/sky_option.h"
+#include "geometry/plane/exchange/exchange_sums.h"
+#include "geometry/plane/prepared/element_table.h"
 #include "geometry/scene_names.h"
 #include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
+#include "io/sums/plane/sum_folder.h"
 #include "kernel/support/failure.h"
 #include "solver/plan_speed.h"
 #include "solver/plane/light/light_values.h"
+#include "solver/plane/scene_plan.h"
 #include "solver/plane/simulation/simulation.h"
 #include "solver/space/simulation/simulation.h"
 #include "viewer/picture/space/texels.h"
@@ -37,6 +41,7 @@ struct PlanOptions {
 struct Planned {
   std::shared_ptr<const Plan> effects;
   std::optional<PlannedMemory> memory;
+  std::optional<PlannedLists> lists;  // in the plane, beside the memory; seconds of one core
 };
 
 // cells: of the grid.
@@ -56,6 +61,24 @@ std::optional<PlannedMemory> memory_of(const PlanOptions& options, const AnyScen
 // Whether the machine holds what was estimated, whatever is allowed.
 bool is_had(const std::optional<PlannedMemory>& memory) {
   return !memory || memory_problem(memory->estimate, {memory->limits.of_all, memory->limits.of_all}).empty();
+}
+
+PlannedLists lists_of(double pairs, const std::string& unit, double vertices) {
+  return planned_lists(pairs, unit, seconds_of_factors_2(vertices, pairs),
+                       pairs * static_cast<double>(kBytesOfSumOnDisk));
+}
+// Of as many pairs as vertices that are looked around from tell, or, where there is no arrangement, as memory is told
+// by.
+PlannedLists lists_of(const Simulation2& simulation, const MemoryEstimate& memory, bool is_arranged) {
+  if (!is_arranged) {
+    const MemoryStage& stage = memory.stages()[1];
+    return lists_of(stage.count, stage.unit, 2 * memory.stages()[0].count);
+  }
+  const auto prepared = simulation.prepared();
+  const auto pairs =
+      static_cast<double>(estimated_sight(prepared->arrangement, *prepared->elements(simulation.granularity())).pairs);
+  const auto vertices = static_cast<double>(prepared->arrangement.vertices().size());
+  return lists_of(pairs, "visible pairs", vertices);
 }
 
 // What of light is asked for in space.
@@ -81,16 +104,17 @@ Planned plan_of(const PlanOptions& options, Scene2 scene) {
     if (is_given) throw UsageError(std::string(option) + " is only for scenes in space");
   options.elements.apply_to(scene);
   const Grid2 grid = grid_of(scene, options.grid);
-  Planned result{nullptr, memory_of(options, scene, std::uint64_t{grid.nx} * grid.ny)};
-  if (is_had(result.memory))
-    result.effects = Simulation2(std::move(scene), {.grid = grid, .light = *light_kind_2(options.illumination)}).plan();
+  Planned result{nullptr, memory_of(options, scene, std::uint64_t{grid.nx} * grid.ny), {}};
+  const Simulation2 simulation(std::move(scene), {.grid = grid, .light = *light_kind_2(options.illumination)});
+  if (is_had(result.memory)) result.effects = simulation.plan();
+  if (result.memory) result.lists = lists_of(simulation, result.memory->estimate, result.effects != nullptr);
   return result;
 }
 
 Planned plan_of(const PlanOptions& options, Scene3 scene) {
   options.elements.apply_to(scene);
   const std::uint64_t cells = cells_of(grids_of(scene, options.grid));
-  Planned result{nullptr, memory_of(options, scene, cells)};
+  Planned result{nullptr, memory_of(options, scene, cells), {}};
   const PlanRequest light = light_of(options, scene, cells);
   if (is_had(result.memory))
     result.effects = Simulation3(std::move(scene), {.factors = {.sky = options.sky.in_space()}, .plan = light}).plan();
@@ -98,13 +122,17 @@ Planned plan_of(const PlanOptions& options, Scene3 scene) {
 }
 
 ExitCode plan(const PlanOptions& options, Streams& streams) {
-  const Planned planned = std::visit([&](auto&& scene) { return plan_of(options, std::move(scene)); },
-                                     read_scene_noting(options.scene, options.polygons, streams));
+  Planned planned = std::visit([&](auto&& scene) { return plan_of(options, std::move(scene)); },
+                               read_scene_noting(options.scene, options.polygons, streams));
+  const MachineSpeed speed = planned.effects || planned.lists ? machine_speed() : MachineSpeed();
   std::optional<Plan> here;
-  if (planned.effects) here = plan_at_speed(*planned.effects, machine_speed());
+  if (planned.effects) here = plan_at_speed(*planned.effects, speed);
+  if (planned.lists) planned.lists->seconds = shared_seconds(planned.lists->seconds, speed);
   const Plan* const effects = here ? &*here : nullptr;
   const PlannedMemory* const memory = planned.memory ? &*planned.memory : nullptr;
-  streams.write("", options.json ? plan_json(options.scene, effects, memory) : plan_text(effects, memory));
+  const PlannedLists* const lists = planned.lists ? &*planned.lists : nullptr;
+  streams.write("",
+                options.json ? plan_json(options.scene, effects, memory, lists) : plan_text(effects, memory, lists));
   return ExitCode::kDone;
 }
 
@@ -139,7 +167,8 @@ void add_plan(Commands& commands) {
   command
       .add_option(
           "--memory", options->memory,
-          "tell what each stage takes of memory, and whether that fits: elements and factors into so many bytes, "
+          "tell what each stage takes of memory, in the plane also what lists of factors take of disk, and whether it "
+          "fits: elements and factors into so many bytes, "
           "all into the machine. Nothing is made of what does not fit the machine")
       ->type_name("BYTES")
       ->transform(whole_number(1));

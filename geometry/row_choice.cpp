@@ -1,6 +1,7 @@
 #include "geometry/row_choice.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "geometry/face.h"
 #include "geometry/scene_names.h"
@@ -30,6 +31,13 @@ RowChoice RowChoice::of(const SceneTable& scene, const std::string& word, Granul
   if (side.is_back) choice.sides_ = Sides::kBacks;
   choice.surfaces_ = surfaces_matching(scene, side.name);
   if (granularity == Granularity::kGroup) choice.surfaces_ = with_their_groups(scene, choice.surfaces_);
+  return choice;
+}
+
+RowChoice RowChoice::fronts_of(std::vector<std::uint32_t> surfaces) {
+  RowChoice choice;
+  choice.sides_ = Sides::kFronts;
+  choice.surfaces_ = std::move(surfaces);
   return choice;
 }
 

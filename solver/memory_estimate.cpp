@@ -37,13 +37,14 @@ MemoryEstimate::MemoryEstimate(std::vector<CountedFace> faces, const MemoryQuest
       if (face.has_row) face.elements = times(face.elements, question.parts);
   const ElementPairCounts counts = pair_counts(faces);
   const double elements = counts.elements - static_cast<double>(faces.size());
+  const double bytes_of_pair = question.pairs_on_disk ? 0 : bytes.pair;
   of_factors_ = elements * bytes.element;
   pairs_ = counts.pairs;
   const char* unit = "visible pairs";
   bool are_known = true;
   if (sampling && pairs_ > 0) {
     unit = "pairs at the most";
-    are_known = of_factors_ + pairs_ * bytes.pair <= room;
+    are_known = of_factors_ + pairs_ * bytes_of_pair <= room;
     if (!are_known) {
       const SampledPairs sampled = sampling(faces);
       pairs_ = std::min(pairs_, sampled.pairs);
@@ -52,10 +53,10 @@ MemoryEstimate::MemoryEstimate(std::vector<CountedFace> faces, const MemoryQuest
     }
   }
   stages_.push_back({"elements", elements, "elements beside the faces", of_factors_});
-  stages_.push_back({"view factors", pairs_, unit, pairs_ * bytes.pair});
+  stages_.push_back({"view factors", pairs_, unit, pairs_ * bytes_of_pair});
   known_pairs_ = are_known ? pairs_ : 0;
-  peak_ = of_factors_ + pairs_ * bytes.pair;
-  of_factors_ += known_pairs_ * bytes.pair;
+  peak_ = of_factors_ + pairs_ * bytes_of_pair;
+  of_factors_ += known_pairs_ * bytes_of_pair;
   add_solution(counts, question, bytes.cached_pair);
 }
 

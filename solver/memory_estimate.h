@@ -14,11 +14,12 @@ namespace hottel {
 // What is asked beside the scene.
 struct MemoryQuestion {
   Granularity granularity = Granularity::kElement;
-  double parts = 1;          // into how many every element is divided further
-  bool solves = false;       // for radiosities, beside the factors
-  int channels = 1;          // of these
-  std::uint64_t cells = 0;   // of light between the faces
-  std::uint64_t pixels = 0;  // of a picture
+  double parts = 1;            // into how many every element is divided further
+  bool solves = false;         // for radiosities, beside the factors
+  int channels = 1;            // of these
+  std::uint64_t cells = 0;     // of light between the faces
+  std::uint64_t pixels = 0;    // of a picture
+  bool pairs_on_disk = false;  // what factors take of memory does not grow with them
 };
 
 // What one stage takes at its peak.

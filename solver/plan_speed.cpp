@@ -19,12 +19,16 @@ bool is_shared(std::string_view effect) {
 
 }  // namespace
 
+double shared_seconds(double seconds, const MachineSpeed& speed) {
+  return seconds * speed.slowness * (kAlone + (1 - kAlone) / speed.threads);
+}
+
 Plan plan_at_speed(const Plan& plan, const MachineSpeed& speed) {
   HOTTEL_REQUIRE(speed.slowness > 0 && speed.threads >= 1);
   std::vector<PlannedEffect> effects = plan.effects();
   for (PlannedEffect& effect : effects) {
-    effect.seconds_estimate *= speed.slowness;
-    if (is_shared(effect.effect)) effect.seconds_estimate *= kAlone + (1 - kAlone) / speed.threads;
+    effect.seconds_estimate = is_shared(effect.effect) ? shared_seconds(effect.seconds_estimate, speed)
+                                                       : effect.seconds_estimate * speed.slowness;
   }
   return Plan(std::move(effects));
 }

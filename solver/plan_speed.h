@@ -16,4 +16,7 @@ struct MachineSpeed {
 // >= 1.
 Plan plan_at_speed(const Plan& plan, const MachineSpeed& speed);
 
+// The seconds of one thing that works on all threads, as plan_at_speed() tells them.
+double shared_seconds(double seconds, const MachineSpeed& speed);
+
 }  // namespace hottel

@@ -14,26 +14,27 @@
 namespace hottel {
 namespace {
 
-// Ends of blocks of rows with about as many entries each; the last one is the number of rows.
-std::vector<std::uint32_t> ends_of_blocks(const ExchangeMatrix& matrix) {
+// Ends of blocks of rows from `first` up to `end` with about as many entries each; the last one is `end`.
+std::vector<std::uint32_t> ends_of_blocks(const ExchangeMatrix& matrix, std::uint32_t first, std::uint32_t end) {
   constexpr std::size_t kEntries = 1 << 12;
   std::vector<std::uint32_t> ends;
   std::size_t entries = 0;
-  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+  for (std::uint32_t i = first; i < end; ++i) {
     entries += matrix.row(i).size() + 1;
-    if (entries < kEntries && i + 1 < matrix.size()) continue;
+    if (entries < kEntries && i + 1 < end) continue;
     ends.push_back(i + 1);
     entries = 0;
   }
   return ends;
 }
 
-// Hands on what write(first, end, text) writes of all rows, in their order; it is called for blocks of rows on all
+// Hands on what write(first, end, text) writes of these rows, in their order; it is called for blocks of rows on all
 // threads. While some blocks are written the ones before them are handed on, by one thread at a time.
 template <class Write>
-void write_in_blocks(const ExchangeMatrix& matrix, const Sink& sink, const Write& write) {
+void write_in_blocks(const ExchangeMatrix& matrix, std::uint32_t first_row, std::uint32_t end_row, const Sink& sink,
+                     const Write& write) {
   constexpr std::size_t kAtOnce = 32;
-  const std::vector<std::uint32_t> ends = ends_of_blocks(matrix);
+  const std::vector<std::uint32_t> ends = ends_of_blocks(matrix, first_row, end_row);
   std::vector<TextBuffer> texts(std::min(kAtOnce, ends.size()), TextBuffer(sink, std::string::npos)), ready = texts;
   for (std::size_t begin = 0; begin < ends.size() + texts.size(); begin += texts.size()) {
     const std::size_t count = begin < ends.size() ? std::min(texts.size(), ends.size() - begin) : 0;
@@ -43,7 +44,7 @@ void write_in_blocks(const ExchangeMatrix& matrix, const Sink& sink, const Write
         return;
       }
       const std::size_t block = begin + k - 1;
-      write(block == 0 ? 0 : ends[block - 1], ends[block], texts[k - 1]);
+      write(block == 0 ? first_row : ends[block - 1], ends[block], texts[k - 1]);
     });
     texts.swap(ready);
   }
@@ -87,7 +88,7 @@ void write_factors_csv(const FactorTable& table, const Sink& sink) {
     if (i == matrix.sky()) return;
     out << short_digits(required_double(matrix.elements()[i].area, area_of(matrix, i)), table.digits);
   };
-  write_in_blocks(matrix, sink, [&](std::uint32_t first, std::uint32_t end, TextBuffer& out) {
+  const auto write_rows = [&](std::uint32_t first, std::uint32_t end, TextBuffer& out) {
     const auto write = [&](std::uint32_t from, const FactorEntry& entry, const Enclosure& bounds, Guarantee guarantee) {
       out << names[from] << ',' << names[entry.to] << ',';
       write_numbers(entry, bounds, table.digits, out);
@@ -99,7 +100,9 @@ void write_factors_csv(const FactorTable& table, const Sink& sink) {
       out << '\n';
     };
     for_each_listed(table, first, end, write);
-  });
+  };
+  for_each_range(
+      table, [&](std::uint32_t first, std::uint32_t end) { write_in_blocks(matrix, first, end, sink, write_rows); });
 }
 
 }  // namespace hottel

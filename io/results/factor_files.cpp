@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "geometry/scene_names.h"
 #include "io/results/csv_field.h"
@@ -82,8 +83,8 @@ void write_factors_mtx(const FactorTable& table, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;
   TextBuffer out(sink);
   const std::size_t n = matrix.size() + 1;
-  std::size_t count = 0;
-  for_each_listed(table, [&](std::uint32_t, const FactorEntry&, const Enclosure&, Guarantee) { ++count; });
+  const std::vector<std::uint64_t> counts = listed_counts(table);
+  const std::uint64_t count = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
   out << "%%MatrixMarket matrix coordinate real general\n"
       << (table.gray_channel ? "% gray-body exchange factors script-F" : "% view factors F")
       << "(row, column), faces as in the .faces.csv beside this file, the sky last\n"

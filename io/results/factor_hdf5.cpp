@@ -31,12 +31,13 @@ struct RowOutline {
 
 RowOutline outline_of(const FactorTable& table) {
   RowOutline outline;
-  outline.begin.assign(table.matrix.size() + std::size_t{2}, 0);
-  for_each_listed(table, [&](std::uint32_t from, const FactorEntry&, const Enclosure& bounds, Guarantee guarantee) {
-    ++outline.begin[from + std::size_t{1}];
+  outline.begin.assign(1, 0);
+  for (const std::uint64_t count : listed_counts(table)) outline.begin.push_back(outline.begin.back() + count);
+  outline.begin.push_back(outline.begin.back());
+  if (table.matrix.guarantee() == Guarantee::kExact) return outline;
+  for_each_listed(table, [&](std::uint32_t, const FactorEntry&, const Enclosure& bounds, Guarantee guarantee) {
     outline.has_bounds = outline.has_bounds || (guarantee != Guarantee::kExact && bounds != Enclosure{0, 1});
   });
-  for (std::size_t k = 1; k < outline.begin.size(); ++k) outline.begin[k] += outline.begin[k - 1];
   return outline;
 }
 

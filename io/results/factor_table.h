@@ -12,6 +12,8 @@
 
 namespace hottel {
 
+class RowRanges;
+
 // Takes text piece by piece; whatever it throws stops the writing.
 using Sink = std::function<void(std::string_view)>;
 
@@ -28,6 +30,8 @@ struct FactorTable {
   bool has_areas = false;                // the list of pairs has the areas of both
   // The most significant digits of numbers in csv (short_digits); nothing: as many as tell the doubles.
   std::optional<int> digits = {};
+  // Where there are some, `matrix` is theirs, and files that list pairs load one range after another.
+  RowRanges* ranges = nullptr;
 };
 
 }  // namespace hottel

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/row_ranges.h"
 #include "io/results/factor_table.h"
 
 namespace hottel {
@@ -38,10 +39,23 @@ void for_each_listed(const FactorTable& table, std::uint32_t first, std::uint32_
   }
 }
 
+// Calls visit(first, end) for ranges of rows, which are there then, in their order.
+template <class Visit>
+void for_each_range(const FactorTable& table, const Visit& visit) {
+  if (table.ranges == nullptr) return visit(std::uint32_t{0}, table.matrix.size());
+  for (std::size_t k = 0; k < table.ranges->count(); ++k) {
+    const RowRange rows = table.ranges->load(k);
+    visit(rows.first, rows.end);
+  }
+}
+
 template <class Visit>
 void for_each_listed(const FactorTable& table, const Visit& visit) {
-  for_each_listed(table, 0, table.matrix.size(), visit);
+  for_each_range(table, [&](std::uint32_t first, std::uint32_t end) { for_each_listed(table, first, end, visit); });
 }
+
+// How many pairs each row lists.
+std::vector<std::uint64_t> listed_counts(const FactorTable& table);
 
 // The names of all elements and the sky, as a csv holds them.
 std::vector<std::string> csv_names(const ExchangeMatrix& matrix);

@@ -70,13 +70,15 @@ FactorCounts factor_counts(const ExchangeReport& report) {
           report.closure_is_exact};
 }
 
-std::string plan_json(const std::string& scene, const Plan* plan, const PlannedMemory* memory) {
+std::string plan_json(const std::string& scene, const Plan* plan, const PlannedMemory* memory,
+                      const PlannedLists* lists) {
   nlohmann::ordered_json json = report_head(scene, plan);
   if (memory != nullptr) json["memory"] = memory_object(*memory);
+  if (lists != nullptr) json["lists"] = lists_object(*lists);
   return json.dump(2) + "\n";
 }
 
-std::string plan_text(const Plan* plan, const PlannedMemory* memory) {
+std::string plan_text(const Plan* plan, const PlannedMemory* memory, const PlannedLists* lists) {
   std::string text = plan != nullptr ? "plan\n" : "";
   for (const PlannedEffect& effect : plan != nullptr ? plan->effects() : std::vector<PlannedEffect>())
     text += fmt::format("  {:<24}{:<12}{}{}\n", effect.effect,
@@ -85,7 +87,8 @@ std::string plan_text(const Plan* plan, const PlannedMemory* memory) {
                                               : "not yet",
                         effect.reason,
                         effect.seconds_estimate > 0 ? fmt::format(" (about {:.2g} s)", effect.seconds_estimate) : "");
-  return memory != nullptr ? text + memory_text(*memory) : text;
+  if (memory != nullptr) text += memory_text(*memory);
+  return lists != nullptr ? text + lists_text(*lists) : text;
 }
 
 namespace {

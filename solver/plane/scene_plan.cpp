@@ -38,6 +38,10 @@ double pixels_of(const PlanRequest& request) {
 
 }  // namespace
 
+double seconds_of_factors_2(double vertices, double pairs) {
+  return vertices * kSecondsPerVertex + pairs * kSecondsPerPair;
+}
+
 Plan plan_scene(const PreparedScene2& prepared, const PlanRequest& request) {
   const Scene2& scene = prepared.scene;
   const ElementTable2& table = *prepared.elements(Granularity::kElement);
@@ -51,7 +55,7 @@ Plan plan_scene(const PreparedScene2& prepared, const PlanRequest& request) {
   const auto cells = static_cast<double>(request.grid_cells);
   PlanDraft draft(scene, request, {.one = "edge", .across = "along edges"});
   draft.add(Plan::kOcclusion, !is_convex, draft.count_text(scene.surfaces.size()) + " that may hide each other",
-            "one convex room: nothing can hide anything", vertices * kSecondsPerVertex + pairs * kSecondsPerPair);
+            "one convex room: nothing can hide anything", seconds_of_factors_2(vertices, pairs));
   draft.add_back_faces();
   draft.add_sky(is_convex, 0);
   draft.add_subdivision();

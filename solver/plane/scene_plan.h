@@ -13,4 +13,7 @@ namespace hottel {
 // COST: O(n), and the views from 64 vertices; nothing is computed of the light itself.
 Plan plan_scene(const PreparedScene2& prepared, const PlanRequest& request);
 
+// Seconds of one core that the exact factors of so many pairs take, the arrangement of so many vertices included.
+double seconds_of_factors_2(double vertices, double pairs);
+
 }  // namespace hottel

@@ -89,6 +89,36 @@ TEST(Memory, OfASmallSceneIsPlannedBesideItsEffects) {
               testing::Not(HasSubstr("memory")));
 }
 
+// In the plane what lists of the factors take of time and disk is told beside it, also of what does not fit.
+TEST(Memory, IsPlannedWithTheDiskOfLists) {
+  const Workplace place;
+  const std::string plan = "hottel plan " + kMemoryScenes + "showcase/apartment.json --memory 100000000 --json";
+  const auto pairs_of = [&](const std::string& options) {
+    return nlohmann::json::parse(place.run(plan + options).out)["lists"]["pairs"].get<double>();
+  };
+  const auto lists = nlohmann::json::parse(place.run(plan).out)["lists"];
+  const double computed = 2926;
+  EXPECT_GT(lists["pairs"].get<double>(), computed / 3);
+  EXPECT_LT(lists["pairs"].get<double>(), computed * 3);
+  ASSERT_EQ(place.run("hottel factors " + kMemoryScenes + "showcase/apartment.json -o f.csv").code, 0);
+  const auto bytes = static_cast<double>(place.read("f.csv").size());
+  EXPECT_GT(lists["bytes"]["csv"].get<double>(), bytes / 4);
+  EXPECT_LT(lists["bytes"]["csv"].get<double>(), bytes * 4);
+  EXPECT_GT(pairs_of(" --elements 1000"), 1e8) << "more than fit";
+  EXPECT_THAT(place.run("hottel plan " + kMemoryScenes + "showcase/apartment.json --elements 1000").out,
+              HasSubstr("\nlists of view factors\n  computed"));
+}
+
+// Pairs that stay on disk are no reason to refuse a scene, but elements are.
+TEST(Memory, IsNotAskedForPairsThatStayOnDisk) {
+  const Workplace place;
+  const std::string factors =
+      "hottel factors " + kMemoryScenes + "showcase/apartment.json --per element -o f.csv --quiet --elements ";
+  EXPECT_EQ(place.run(factors + "8 --memory 15000000").code, 1);
+  EXPECT_EQ(place.run(factors + "8 --memory 15000000 --out-of-core d").code, 0);
+  EXPECT_EQ(place.run(factors + "100000 --out-of-core d").code, 1);
+}
+
 // Whatever the system gives less than it promised.
 TEST(Memory, ThatRunsOutNamesSceneAndStageAndLeavesNoFiles) {
   if (kHasAddressSanitizer || kHasThreadSanitizer) GTEST_SKIP() << "sanitizers need addresses of their own";

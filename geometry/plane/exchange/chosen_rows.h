@@ -24,7 +24,8 @@ using PlainRow2 = std::vector<std::pair<std::uint32_t, double>>;
 //   (3) the same bits for any number of threads
 //
 // REQUIRES: a table of the prepared scene. Throws RequestError where there are more than most_pairs, and what
-// `progress` throws. COST: a sweep about each vertex, and the pairs of which one has a row.
+// `progress` throws. COST: a sweep about the swept_vertices(), and the pairs of which one has a
+// row.
 std::vector<PlainRow2> chosen_rows(const PreparedScene2& prepared, const ElementTable2& table, std::uint64_t most_pairs,
                                    const std::function<void(double)>& progress = {});
 

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "geometry/plane/exchange/gap_terms.h"
+#include "geometry/plane/exchange/swept_vertices.h"
 #include "geometry/plane/exchange/term_sums.h"
 #include "kernel/support/parallel.h"
 
@@ -86,7 +87,7 @@ std::vector<VertexId> vertices_between(const Arrangement2& arrangement, const El
       std::any_of(pairs.begin(), pairs.end(), [&](const ElementPair& pair) {
         return pair.second == table.sky() || table.runs(pair.first).empty() || table.runs(pair.second).empty();
       });
-  if (everywhere) return {vertices.ids().begin(), vertices.ids().end()};
+  if (everywhere) return swept_vertices(arrangement, table);
   std::vector<Corridor> corridors;
   for (const ElementPair& pair : pairs) corridors.emplace_back(vertices, table, pair);
   std::vector<char> is_between(n, 0);

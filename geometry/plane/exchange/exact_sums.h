@@ -17,8 +17,8 @@ namespace hottel {
 //   (3) a pair (i, i), of groups, counts both directions of a line
 //   (4) a pair of which neither has a row has the sum 0
 //
-// COST: a second sweep, about the vertices only that lie between the two labels of some pair (about every vertex when
-// a pair contains the sky or there are very many), then one canonical sum a pair.
+// COST: a second sweep, about the vertices only that lie between the two labels of some pair (about all
+// swept_vertices() when a pair contains the sky or there are very many), then one canonical sum a pair.
 std::vector<RootSum> exact_sums(const Arrangement2& arrangement, const ElementTable2& table,
                                 const std::vector<ElementPair>& pairs);
 

@@ -4,12 +4,13 @@
 #include <limits>
 #include <mutex>
 
-#include "geometry/plane/exchange/convex_sums.h"
+#include "geometry/plane/exchange/exact_rows.h"
 #include "geometry/plane/exchange/exact_sums.h"
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "geometry/plane/exchange/pair_alone.h"
 #include "geometry/plane/exchange/pair_rounding.h"
 #include "geometry/plane/exchange/pair_sums.h"
+#include "geometry/plane/exchange/requested_sums.h"
 #include "geometry/plane/prepared/element_table.h"
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
@@ -18,23 +19,6 @@
 
 namespace hottel {
 namespace {
-
-// The elements, with the rows that are asked for.
-std::shared_ptr<const ElementTable2> table_of(const PreparedScene2& prepared, const ExchangeRequest& request) {
-  std::shared_ptr<const ElementTable2> all = prepared.elements(request.granularity);
-  if (request.rows.is_all()) return all;
-  ElementTable2 table = *all;
-  std::vector<bool> is_chosen(table.count());
-  for (const std::uint32_t label : request.rows.labels(table.elements())) is_chosen[label] = true;
-  table.keep_rows(is_chosen);
-  return std::make_shared<const ElementTable2>(std::move(table));
-}
-
-std::uint64_t count_all_pairs(const ElementTable2& table) {
-  std::uint64_t rows = 0;
-  for (std::uint32_t i = 0; i < table.count(); ++i) rows += table.has_row(i);
-  return rows * (rows - 1) / 2;
-}
 
 // The entries of a matrix, each put straight where it stays. Different pairs may be put at the same time.
 class Entries {
@@ -94,16 +78,18 @@ class Entries {
   std::vector<double> measures_;
 };
 
-// All elements, those that lie near each other one after another: what they ask of their partners is in
-// the cache then.
-std::vector<std::uint32_t> labels_by_place(const ElementTable2& table, const Arrangement2& arrangement) {
+// The elements in whose rows sums stand, those that lie near each other one after another: what they ask of their
+// partners is in the cache then.
+std::vector<std::uint32_t> labels_by_place(const PairSums2& sums, const ElementTable2& table,
+                                           const Arrangement2& arrangement) {
   std::vector<std::uint32_t> rank(arrangement.vertices().size());
   std::uint32_t next = 0;
   for (const VertexId v : arrangement.triangulation().sweep_order()) rank[v.index()] = next++;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> placed;
   placed.reserve(table.count());
   for (std::uint32_t label = 0; label < table.count(); ++label)
-    placed.emplace_back(table.runs(label).empty() ? next : rank[table.runs(label).front().a.index()], label);
+    if (!sums.row(label).empty())
+      placed.emplace_back(table.runs(label).empty() ? next : rank[table.runs(label).front().a.index()], label);
   std::ranges::sort(placed);
   std::vector<std::uint32_t> labels;
   labels.reserve(placed.size());
@@ -118,15 +104,10 @@ struct OpenPair {
   RoundedPair2 rounded;
 };
 
-// A face that sees one thing only sees it with factor 1, by closure: no arithmetic is needed to know it.
+// Settles what closure alone tells.
 void settle_lonely_rows(OpenPair& pair, const EntryPlaces2& places, const ElementTable2& table) {
-  const auto settle = [&](std::uint32_t label, Rounded& factor, bool& is_open) {
-    if (!is_open || label == table.sky() || places.row_size(label) != 1) return;
-    factor = {1.0, 0};
-    is_open = false;
-  };
-  settle(pair.sum.i(), pair.rounded.forth, pair.rounded.is_forth_open);
-  settle(pair.sum.j(), pair.rounded.back, pair.rounded.is_back_open);
+  const auto is_lonely = [&](std::uint32_t label) { return label != table.sky() && places.row_size(label) == 1; };
+  pair.rounded.settle_by_closure(is_lonely(pair.sum.i()), is_lonely(pair.sum.j()));
 }
 
 // Settles what is open by exact sums, and puts it anew. Returns how many pairs exchange nothing.
@@ -156,25 +137,13 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeRequ
   ExchangeReport ignored;
   ExchangeReport& r = report != nullptr ? *report : ignored;
   const Arrangement2& arrangement = prepared.arrangement;
-  const std::shared_ptr<const ElementTable2> with_rows = table_of(prepared, request);
+  const std::shared_ptr<const ElementTable2> with_rows = table_with_rows(prepared, request);
   const ElementTable2& table = *with_rows;
   r.seconds["prepare"] = prepared.seconds;
   r.seconds["label"] = watch.lap();
 
-  const bool sweeps = request.always_sweeps || !is_convex_room(prepared.scene);
-  std::uint64_t most_pairs = std::numeric_limits<std::uint64_t>::max();
-  if (request.memory > 0) {
-    most_pairs = request.memory / kBytesPerPair;
-    const std::uint64_t pairs = sweeps ? estimated_sight(arrangement, table).pairs : count_all_pairs(table);
-    if (pairs > most_pairs)
-      throw RequestError("about " + std::to_string(pairs) + " visible pairs need about " +
-                         std::to_string(pairs * kBytesPerPair) + " bytes; allowed are " +
-                         std::to_string(request.memory));
-  }
-  SumCounts2 counts;
-  const PairSums2 sums = sweeps ? sum_visible_pairs(arrangement, table, request.progress, most_pairs, counts, parts)
-                                : sum_convex_pairs(arrangement, table);
-  r.seconds[sweeps ? "sweep" : "strings"] = watch.lap();
+  const PairSums2 sums = requested_sums(prepared, table, request, kBytesPerPair, r, parts);
+  watch.lap();
   r.closure_is_exact = closure_defect(sums, table) == 0;
   HOTTEL_REQUIRE(r.closure_is_exact);
 
@@ -182,7 +151,7 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeRequ
   Entries entries(sums, table, request.wants_measures);
   std::vector<OpenPair> open;
   std::mutex together;
-  const std::vector<std::uint32_t> labels = labels_by_place(table, arrangement);
+  const std::vector<std::uint32_t> labels = labels_by_place(sums, table, arrangement);
   parallel_ranges(labels.size(), 16, [&](std::size_t begin, std::size_t end) {
     TierCounts some;
     std::vector<OpenPair> left;
@@ -207,13 +176,8 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeRequ
     r.seconds["exact"] = watch.lap();
   }
 
-  r.surfaces = prepared.scene.surfaces.size();
-  r.vertices = arrangement.vertices().size();
-  r.pieces = arrangement.pieces().size();
-  r.elements = table.count();
+  report_scene(prepared, table, r);
   r.pairs = sums.size() - zeros;
-  r.gaps = counts.gaps;
-  r.terms = counts.updates;
   ExchangeMatrix matrix = entries.take(zeros > 0);
   r.seconds["matrix"] = watch.lap();
   return matrix;

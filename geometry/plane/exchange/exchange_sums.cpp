@@ -4,6 +4,7 @@
 #include <random>
 
 #include "geometry/plane/exchange/gap_terms.h"
+#include "geometry/plane/exchange/swept_vertices.h"
 
 namespace hottel {
 namespace {
@@ -45,9 +46,14 @@ class Sweep {
 PairSums2 sum_visible_pairs(const Arrangement2& arrangement, const ElementTable2& table,
                             const std::function<void(double)>& progress, std::uint64_t most_pairs, SumCounts2& counts,
                             SweepParts2* parts) {
+  return sum_pairs_about(swept_vertices(arrangement, table), arrangement, table, progress, most_pairs, counts, parts);
+}
+
+PairSums2 sum_pairs_about(std::span<const VertexId> order, const Arrangement2& arrangement, const ElementTable2& table,
+                          const std::function<void(double)>& progress, std::uint64_t most_pairs, SumCounts2& counts,
+                          SweepParts2* parts) {
   const std::size_t label_count = table.covered() + 1;
-  return {sum_terms<PairSum2>(arrangement.triangulation().sweep_order(), label_count, Sweep(arrangement, table),
-                              progress, most_pairs, counts, parts),
+  return {sum_terms<PairSum2>(order, label_count, Sweep(arrangement, table), progress, most_pairs, counts, parts),
           table.count()};
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "geometry/plane/arrangement/arrangement.h"
@@ -18,14 +19,21 @@ namespace hottel {
 //   (1) the value does not depend on the number of threads: 128-bit integer addition is associative
 //   (2) sum over j of value(i, j) == 2 length(i) to the last bit, for every label i that has a row: each length enters
 //       a row with coefficients that cancel, but for the lengths on i itself
-// COST: parallel; one sweep about each vertex, and 32 bytes a term in flight, 43 to 85 bytes a pair.
+// COST: parallel; one sweep about each of the swept_vertices(), and 32 bytes a term in flight, 43 to 85 bytes a pair,
+// and 32 in the end.
 // `progress` is called from time to time with the fraction done and may throw to stop.
 //
 // Throws RequestError when the pairs become more than `most_pairs`. parts: as of sum_terms(), in the order of
-// Triangulation2::sweep_order().
+// swept_vertices().
 PairSums2 sum_visible_pairs(const Arrangement2& arrangement, const ElementTable2& table,
                             const std::function<void(double)>& progress, std::uint64_t most_pairs, SumCounts2& counts,
                             SweepParts2* parts = nullptr);
+
+// The same of the gaps that start at some vertices alone: where each of the swept_vertices() is in one call, the sums
+// of all calls add up to those of all. parts: as of sum_terms(), in this order.
+PairSums2 sum_pairs_about(std::span<const VertexId> order, const Arrangement2& arrangement, const ElementTable2& table,
+                          const std::function<void(double)>& progress, std::uint64_t most_pairs, SumCounts2& counts,
+                          SweepParts2* parts = nullptr);
 
 // What a visible pair takes in memory at the most, from the sums to the matrix, in bytes (measured on clutter with
 // backs, where both directions have a row; benchmarks/factors).

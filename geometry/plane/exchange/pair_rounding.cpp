@@ -26,22 +26,23 @@ PairRounding2::PairRounding2(const PreparedScene2& prepared, const ElementTable2
   }
 }
 
-RoundedPair2 PairRounding2::quick(const PairSum2& pair, TierCounts& tiers) const {
+RoundedPair2 PairRounding2::quick(const PairSum2& pair, const RowRange& rows, TierCounts& tiers) const {
   const Vertices2& vertices = prepared_.arrangement.vertices();
   const FixedDividend sum(pair.sum(vertices.length_error()));
   RoundedPair2 result;
   // A sum that may be zero is looked at exactly before anything is printed of it.
   const bool may_be_zero = sum.may_be_zero();
-  const auto settle = [&](const FixedDivisor& divisor, Rounded& number, bool& is_open) {
+  const std::uint32_t i = pair.i(), j = pair.j();
+  const bool counts = rows.has(table_.has_row(i) ? i : j);
+  const auto settle = [&](const FixedDivisor& divisor, Rounded& number, bool& is_open, bool is_counted) {
     const auto rounded = may_be_zero || !divisor.is_usable() ? std::nullopt : round_quotient(sum, divisor);
     is_open = !rounded;
     if (!rounded) return;
     number = rounded->number;
-    tiers.count(rounded->tier);
+    if (is_counted) tiers.count(rounded->tier);
   };
-  const std::uint32_t i = pair.i(), j = pair.j();
-  if (table_.has_row(i)) settle(double_length_[i], result.forth, result.is_forth_open);
-  if (table_.has_row(j)) settle(double_length_[j], result.back, result.is_back_open);
+  if (table_.has_row(i) && rows.has(i)) settle(double_length_[i], result.forth, result.is_forth_open, true);
+  if (table_.has_row(j) && rows.has(j)) settle(double_length_[j], result.back, result.is_back_open, true);
   if (request_.wants_measures) {
     const auto rounded = may_be_zero ? std::nullopt : round_scaled(sum, half_unit_);
     result.is_measure_open = !rounded;
@@ -52,11 +53,11 @@ RoundedPair2 PairRounding2::quick(const PairSum2& pair, TierCounts& tiers) const
     result.is_visibility_open = true;
   } else if (!pair.is_obstructed && !may_be_zero) {
     result.visibility = 1;
-    tiers.count(Tier::kDouble);
+    if (counts) tiers.count(Tier::kDouble);
   } else {
     Rounded visibility;
     const auto free = alone_.quick(i, j);
-    settle(free ? FixedDivisor(*free) : FixedDivisor(), visibility, result.is_visibility_open);
+    settle(free ? FixedDivisor(*free) : FixedDivisor(), visibility, result.is_visibility_open, counts);
     result.visibility = visibility_of(visibility);
   }
   return result;

@@ -9,6 +9,7 @@
 #include "geometry/plane/exchange/pair_alone.h"
 #include "geometry/plane/prepared/element_table.h"
 #include "geometry/plane/prepared/prepared_scene.h"
+#include "geometry/row_ranges.h"
 #include "kernel/rounding.h"
 
 namespace hottel {
@@ -22,6 +23,16 @@ struct RoundedPair2 {
        is_zero = false;
 
   bool is_open() const { return is_forth_open || is_back_open || is_visibility_open || is_measure_open; }
+  // An element that sees one thing only sees it with factor 1, by closure: no arithmetic is needed to know it. is_...:
+  // whether the row of i, of j, has no other pair.
+  void settle_by_closure(bool is_only_of_i, bool is_only_of_j) {
+    const auto settle = [](Rounded& factor, bool& is_factor_open) {
+      if (is_factor_open) factor = {1.0, 0};
+      is_factor_open = false;
+    };
+    if (is_only_of_i) settle(forth, is_forth_open);
+    if (is_only_of_j) settle(back, is_back_open);
+  }
 };
 
 // Rounds pair sums correctly: by fixed point where that settles it, else from the exact sum.
@@ -37,7 +48,10 @@ class PairRounding2 {
   //
   //   (1) an unobstructed pair of straight elements has visibility 1, unless its sum may be zero
   //   (2) the sky has no visibility: it stays NaN
-  RoundedPair2 quick(const PairSum2& pair, TierCounts& tiers) const;
+  RoundedPair2 quick(const PairSum2& pair, TierCounts& tiers) const { return quick(pair, RowRange::all(), tiers); }
+  // The same of F(i, j) and F(j, i) in some rows alone; the visibility counts where the first of the two that have a
+  // row has it in these.
+  RoundedPair2 quick(const PairSum2& pair, const RowRange& rows, TierCounts& tiers) const;
   // Settles what quick() left open in `result`, and nothing else; of a sum that is zero it says is_zero alone.
   // REQUIRES: sum is 2 S(i, j) in integer form.
   void exactly(const PairSum2& pair, const RootSum& sum, RoundedPair2& result, TierCounts& tiers) const;

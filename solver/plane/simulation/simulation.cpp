@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/closed_promise.h"
+#include "geometry/plane/exchange/closed_promise.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/prepared/element_table.h"
 #include "geometry/plane/prepared/prepared_scene.h"
@@ -200,7 +200,8 @@ struct RadiositiesInput {
   StagePtr<std::vector<LightShares>> shares;  // of the power of the lights; null: there are none
   Spectra powers;
   bool closed = false;
-  StagePtr<ComputedFactors2> exact;  // of the scene, by whatever method the factors are: for the promise
+  StagePtr<PreparedScene2> divided;  // for the promise
+  std::uint64_t memory = 0;
   friend bool operator==(const RadiositiesInput& a, const RadiositiesInput& b) {
     return a.system == b.system && a.emissions == b.emissions && a.shares == b.shares && a.powers == b.powers &&
            a.closed == b.closed;
@@ -300,7 +301,9 @@ RadiositySolution make_radiosities(const RadiositiesInput& input, const StagePro
   const auto prepared = input.prepared->get(progress);
   const Scene2& scene = prepared->scene;
   const ExchangeMatrix& matrix = factors->matrix;
-  if (input.closed) require_closed(scene, input.exact->get(progress)->matrix);
+  if (input.closed)
+    require_closed(scene, *input.divided->get(progress), memory_allowed(input.memory),
+                   telling("view factors", progress));
   if (input.method->info().guarantee != Guarantee::kExact)
     require_not_negative(matrix, scene.file, input.method->info().name);
   const auto shares = input.shares ? input.shares->get(progress) : nullptr;
@@ -531,7 +534,8 @@ void Simulation2::Version::set_light(const Version* before) {
                                   .shares = scene->lights.empty() ? nullptr : shares.stage,
                                   .powers = powers_of(*scene),
                                   .closed = scene->closed,
-                                  .exact = exact_factors.stage};
+                                  .divided = divided.stage,
+                                  .memory = request.memory};
   radiosities = node_of("radiosity", to_solve, old(before, &Version::radiosities), make_radiosities);
   dividing = node_of("dividing",
                      DividingInput{radiosities.stage, factors.stage, factors.input.method, whole.stage, to_solve.shares,
@@ -586,7 +590,9 @@ std::shared_ptr<const PreparedScene2> Simulation2::prepared(const StageProgress&
   return version_->prepared.stage->get(progress);
 }
 void Simulation2::require_closed(const StageProgress& progress) const {
-  if (scene().closed) hottel::require_closed(scene(), version_->exact_factors.stage->get(progress)->matrix);
+  if (!scene().closed) return;
+  hottel::require_closed(scene(), *version_->divided.stage->get(progress), memory_allowed(version_->request.memory),
+                         telling("view factors", progress));
 }
 
 std::shared_ptr<const ComputedFactors2> Simulation2::factors(const StageProgress& progress) const {

@@ -1,0 +1,20 @@
+// Lists of exact view factors in the plane, written row by row: no matrix of all of them is made.
+#pragma once
+
+#include "cli/factors_options.h"
+#include "solver/plane/simulation/simulation.h"
+
+namespace hottel {
+
+// Whether no more is asked for than rows of the list: nothing that needs the whole matrix.
+bool needs_rows_alone(const FactorsOptions& options);
+
+// Whether that is worth it: more than some millions of pairs see each other. (Pairs are rounded twice then.)
+bool streams_rows(const FactorsOptions& options, const Simulation2& simulation, const Streams& streams);
+
+// Computes and writes them. The same bytes as by the matrix.
+// REQUIRES needs_rows_alone(options).
+void write_streamed_factors(FactorsOptions& options, const Simulation2& simulation, const FactorOrigin& origin,
+                            FactorsFiles& files, Streams& streams);
+
+}  // namespace hottel
