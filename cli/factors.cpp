@@ -168,6 +168,7 @@ void factors_in_plane(FactorsOptions& options, Scene2 scene, Streams& streams) {
   Simulation2 simulation(std::move(scene), std::move(request));
 
   FactorsFiles files(options, streams);
+  if (options.has_sums_on_disk()) require_memory_of_rows(options, simulation.scene());
   simulation.require_closed(streams.stages());
   if (streams_rows(options, simulation, streams))
     return write_streamed_factors(options, simulation, origin, files, streams);

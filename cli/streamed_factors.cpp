@@ -60,8 +60,7 @@ void add_rows(const FactorsOptions& options, Streamed& streamed) {
 
 std::unique_ptr<Streamed> streamed_rows(const FactorsOptions& options, const Simulation2& simulation,
                                         const Streams& streams) {
-  require_memory(simulation.scene(), {.granularity = options.per(), .pairs_on_disk = options.has_sums_on_disk()},
-                 options.memory);
+  require_memory_of_rows(options, simulation.scene());
   auto result = std::make_unique<Streamed>();
   result->prepared = simulation.prepared(streams.stages());
   result->request = {.granularity = options.per(),
@@ -77,6 +76,10 @@ std::unique_ptr<Streamed> streamed_rows(const FactorsOptions& options, const Sim
 constexpr std::uint64_t kMostPairsInMatrix = std::uint64_t{1} << 22;
 
 }  // namespace
+
+void require_memory_of_rows(const FactorsOptions& options, const Scene2& scene) {
+  require_memory(scene, {.granularity = options.per(), .pairs_on_disk = options.has_sums_on_disk()}, options.memory);
+}
 
 bool needs_rows_alone(const FactorsOptions& options) {
   return options.is_exact() && options.lists_pairs() && options.pairs == "visible" && !options.wants_exact_form &&

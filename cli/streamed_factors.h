@@ -9,6 +9,10 @@ namespace hottel {
 // Whether no more is asked for than rows of the list: nothing that needs the whole matrix.
 bool needs_rows_alone(const FactorsOptions& options);
 
+// Throws RequestError where the elements do not fit into the memory that is allowed, or the pairs, unless they stay on
+// disk. COST: that of counting.
+void require_memory_of_rows(const FactorsOptions& options, const Scene2& scene);
+
 // Whether that is worth it: more than some millions of pairs see each other. (Pairs are rounded twice then.)
 bool streams_rows(const FactorsOptions& options, const Simulation2& simulation, const Streams& streams);
 

@@ -288,7 +288,7 @@ const std::vector<OptionEntry>& option_entries() {
         {"hottel compare $Q --divide 1,2 --plot-x parameter", "--plot-x parameter is not of --divide"},
         {"hottel compare $Q --divide 1,2 --methods file:f.csv", "--divide computes at several divisions"},
         {"hottel compare $Q --divide 1,2 --methods 'run:cp f {out}'", "is told by {elements}"},
-        {"hottel compare $Q --methods exact --plot-x elements", "need --divide"}}},
+        {"hottel compare $Q --methods exact --plot-x elements", "needs --divide"}}},
       {"compare",
        "--grid-file",
        "hottel solve $Q --grid 8x8 -o solved; hottel compare $Q --grid-file solved/illumination.npy --repeat 1 -o out; "

@@ -106,7 +106,8 @@ void expect_printed(const ExchangeMatrix& factors, std::uint32_t from, std::uint
   EXPECT_EQ(factor, 0) << name;
 }
 
-// As printed, there and back; and the file has all digits that doubles have.
+// As printed, there and back; and the file has the digits that it says: its first 40 values to 4e-15, the others to
+// 1e-12.
 TEST(ManyDigits, OfOccludedPairsAreWithinThePrintedBounds) {
   const std::vector<Known> known = read_known("occluded_digits.csv");
   const std::vector<SpaceCase> cases = read_space_cases(path("occluded.json"));
@@ -115,7 +116,7 @@ TEST(ManyDigits, OfOccludedPairsAreWithinThePrintedBounds) {
     const auto& [name, polygons, value] = cases[k];
     ASSERT_EQ(known[k].scene, name);
     const Digits there = known[k].measure / area(polygons[0]), back = known[k].measure / area(polygons[1]);
-    EXPECT_NEAR(static_cast<double>(there), value, 4e-15) << name;
+    EXPECT_NEAR(static_cast<double>(there), value, k < 40 ? 4e-15 : 1e-12) << name;
     const ExchangeMatrix factors =
         exact_exchange(prepare(scene_of(polygons)), {.wants_visibility = false, .proves = true});
     const std::uint32_t i = factors.find("0").value(), j = factors.find("1").value();
