@@ -886,6 +886,8 @@ const std::vector<OptionEntry>& option_entries() {
         {"echo 3,1 | hottel visibility $S --guarantee enclosed --points -", "--guarantee is for scenes in space"},
         {"printf 'x,y,z,nx,ny,nz\\n1,1,1,0,0,1\\n' | hottel visibility $C --guarantee enclosed --points -",
          "the light at points with normals has no proven bounds"},
+        {"echo 1,1,1 | hottel visibility $C --guarantee enclosed --points - -o seen.vtu",
+         "bounds to a .csv or a .npz, not to a .vtu"},
         {"hottel visibility $C --at 1,1,1 --guarantee exact", "--guarantee"}}},
       {"visibility", "--json", "hottel visibility $S --at 3,1 --json", "hottel visibility $S --at 3,1"},
       {"visibility",

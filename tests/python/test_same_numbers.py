@@ -144,6 +144,22 @@ def test_light_and_polygons_of_points_are_those_of_the_program(tmp_path):
     assert numpy.array_equal(light, wanted["irradiance"], equal_nan=True) and numpy.isfinite(light).any()
 
 
+def test_proven_bounds_of_points_in_space_are_the_same_in_arrays_and_in_lines(tmp_path):
+    (tmp_path / "points.csv").write_text("x,y,z\n0.2,0.3,0.4\n0.6,0.5,0.9\n")
+    for name in ["seen.npz", "seen.csv"]:
+        code, _, message = run_program("visibility", "scenes/space/two_boxes.json", "--points", tmp_path / "points.csv",
+                                       "--guarantee", "enclosed", "-o", tmp_path / name)
+        assert code == 0, message
+    seen = numpy.load(tmp_path / "seen.npz")
+    lines = [line.split(",") for line in (tmp_path / "seen.csv").read_text().splitlines()]
+    lower, upper = lines[0].index("lower"), lines[0].index("upper")
+    wanted = [[float(line[lower]), float(line[upper])] for line in lines[1:]]
+    assert seen["fraction_bounds"].tolist() == wanted and len(wanted) > 2
+    fraction = seen["solid_angle"] / (4 * numpy.pi)
+    assert (seen["fraction_bounds"][:, 0] <= fraction * (1 + 1e-15)).all()
+    assert (fraction * (1 - 1e-15) <= seen["fraction_bounds"][:, 1]).all()
+
+
 def test_light_in_space_is_that_of_the_grid_of_the_program(tmp_path):
     grid = {"origin": [0, 0, "1/4"], "u": [1, 0, 0], "v": [0, 1, 0], "cells": [4, 2]}
     scene = hottel.read_scene("scenes/space/cube.json").replace(grid=grid)
