@@ -290,9 +290,18 @@ TEST_F(SdlWindow, WhatWasCoveredIsToBeShownAgain) {
   expect(Kind::kFocus);
 }
 
+// On a busy machine the window manager may not yet listen to keys when it shows the window: they are pressed again.
 TEST_F(SdlWindow, TheWindowManagerAsksItToClose) {
-  session_.xdotool("key alt+F4");
-  expect(Kind::kQuit);
+  bool has_asked = false;
+  for (const auto start = Clock::now(); !has_asked && seconds_since(start) < kPatience;) {
+    session_.xdotool("key alt+F4");
+    for (bool has_come = true; has_come && !has_asked;) {
+      const auto event = window_->next(2);
+      has_come = event.has_value();
+      has_asked = has_come && event->kind == Kind::kQuit;
+    }
+  }
+  ASSERT_TRUE(has_asked);
   // It is the program that closes it.
   window_->show(Raster(4, 4));
   window_->set_title("still here");
