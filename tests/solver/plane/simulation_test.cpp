@@ -79,7 +79,7 @@ TEST(Simulation, DropsExactlyTheStagesWhoseInputChanged) {
   EXPECT_EQ(with_scene([](Scene2& s) { s.materials[3].reflectivity = s.materials[0].reflectivity; }), "");
 
   EXPECT_EQ(with_request([&](SimulationRequest2& r) { r.grid = grid_over(simulation.scene(), 5, 4); }), "afrwc");
-  EXPECT_EQ(with_request([](SimulationRequest2& r) { r.light = LightKind2::kAverage; }), "afrowc");
+  EXPECT_EQ(with_request([](SimulationRequest2& r) { r.light = LightKind2::kAverage; }), "afrwc");
   EXPECT_EQ(with_request([](SimulationRequest2& r) { r.painter = std::make_shared<const NoPainter>(); }), "afrlowc");
   EXPECT_EQ(with_request([](SimulationRequest2& r) { r.solver = Solver::kCg; }), "afowc");
   EXPECT_EQ(with_request([](SimulationRequest2& r) { r.wants_visibility = true; }), "aoc");
