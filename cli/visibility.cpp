@@ -1,6 +1,5 @@
 // hottel visibility: what points see, what a point of a face receives, what two faces see of each other, what some
 // point of a face sees, the lines along which it changes, and which vertices see each other.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <functional>
@@ -18,8 +17,6 @@
 #include "cli/visibility_in_space.h"
 #include "geometry/plane/check/face_cover.h"
 #include "geometry/plane/exchange/closed_forms.h"
-#include "geometry/plane/exchange/exchange_sums.h"
-#include "geometry/plane/prepared/element_table.h"
 #include "geometry/plane/visibility/critical_points.h"
 #include "geometry/plane/visibility/point_view.h"
 #include "geometry/plane/visibility/visibility_polygons.h"
@@ -48,7 +45,8 @@ namespace {
 
 struct VisibilityOptions {
   std::string scene, at, on, from, to, out, points, range, edge, face, side = "both";
-  bool json = false, exact = false, irradiance = false, events = false, graph = false, pieces = false;
+  bool json = false, exact = false, irradiance = false, no_irradiance = false, events = false, graph = false,
+       pieces = false;
   PolygonOptions polygons;
   GuaranteeOption guarantee;
 
@@ -68,23 +66,18 @@ Simulation2 simulation_of(const VisibilityOptions& options, const Streams& strea
   return simulation_of(read_scene_noting_2(options.scene, options.polygons, streams));
 }
 
-// Light at one point is that of the whole scene, solved. Beyond so many pairs it is made when it is asked for only.
-constexpr std::uint64_t kMostPairsUnasked = 10'000'000;
-
-PointLight2 light_if_wanted(const VisibilityOptions& options, const Simulation2& simulation,
-                            const VisibilityPolygon2& polygon, const Streams& streams) {
-  const auto prepared = simulation.prepared(streams.stages());
-  const std::uint64_t pairs =
-      options.irradiance ? 0 : estimated_sight(prepared->arrangement, *prepared->elements(Granularity::kFace)).pairs;
-  if (pairs <= kMostPairsUnasked) return light_at(simulation, polygon, streams.stages());
-  return {{}, {}, fmt::format("it takes the factors of about {} pairs of faces; --irradiance asks for it", pairs)};
+// Light at one point is that of the whole scene, solved.
+PointLight2 light_unless_left_out(const VisibilityOptions& options, const Simulation2& simulation,
+                                  const VisibilityPolygon2& polygon, const Streams& streams) {
+  if (options.no_irradiance) return {{}, {}, "--no-irradiance leaves it out"};
+  return light_at(simulation, polygon, streams.stages());
 }
 
 ShownAnswer from_point(const VisibilityOptions& options, const Simulation2& simulation, const PreparedScene2& prepared,
                        const Point2& eye, const Streams& streams) {
   const PointView2 sight = point_view(prepared, eye);
   std::optional<PointLight2> light;
-  if (sight.polygon.solid == Solids2::kNone) light = light_if_wanted(options, simulation, sight.polygon, streams);
+  if (sight.polygon.solid == Solids2::kNone) light = light_unless_left_out(options, simulation, sight.polygon, streams);
   return {point_answer(prepared, sight, light), [&prepared, polygon = sight.polygon](PictureFormat format) {
             return visibility_picture_2(prepared, drawing_of(polygon), format);
           }};
@@ -381,12 +374,12 @@ ExitCode show(const ShownAnswer& shown, const VisibilityOptions& options, std::o
   return ExitCode::kDone;
 }
 
-constexpr const char* kWhereIrradiance = "--irradiance goes with --points, or with --at X,Y in the plane";
+constexpr const char* kWhereNoIrradiance = "--no-irradiance goes with --at X,Y in the plane";
 
 ExitCode in_space(const VisibilityOptions& options, Scene3 scene, std::optional<PictureFormat> format,
                   Streams& streams) {
   const bool proves = options.guarantee.must_be_enclosed();
-  if (options.irradiance) throw UsageError(kWhereIrradiance);
+  if (options.no_irradiance) throw UsageError(kWhereNoIrradiance);
   if (!options.is_pair())
     return show(visibility_in_space(scene, options.at, options.on, proves), options, format, streams);
   if (format) throw UsageError("-o draws a pair of faces in the plane; this version does not in space");
@@ -398,7 +391,7 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
   if (options.polygons.triangulates && !options.edge.empty())
     throw UsageError("--triangulate cuts polygons in space; --edge is of the plane");
   if (!options.points.empty()) return from_points(options, streams);
-  if (options.irradiance && (options.at.empty() || !options.on.empty())) throw UsageError(kWhereIrradiance);
+  if (options.no_irradiance && (options.at.empty() || !options.on.empty())) throw UsageError(kWhereNoIrradiance);
   if (!options.edge.empty()) return from_edge(options, streams);
   if (!options.face.empty()) return from_face_in_space(options, streams);
   if (options.events) return events(options, streams);
@@ -484,9 +477,12 @@ void add_visibility(Commands& commands) {
   CLI::Option* exact =
       command.add_flag("--exact", options->exact, "with --points, --events or --graph: coordinates as p/q");
   exact->excludes("--range");
-  command.add_flag("--irradiance", options->irradiance,
-                   "the mean irradiance at each of --points, for which the scene is solved; with --at X,Y it is told "
-                   "anyhow where no more than some 10^7 pairs of faces see each other");
+  command
+      .add_flag("--irradiance", options->irradiance,
+                "with --points: the mean irradiance at each, for which the scene is solved")
+      ->needs(points);
+  command.add_flag("--no-irradiance", options->no_irradiance,
+                   "with --at X,Y in the plane: without the mean irradiance, for which the whole scene is solved");
   command
       .add_flag(
           "--pieces", options->pieces,
