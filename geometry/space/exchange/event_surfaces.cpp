@@ -134,7 +134,7 @@ class PatchEvents {
   std::uint32_t surface_of(std::uint32_t piece) const { return prepared_.arrangement().pieces()[piece].surface; }
   static void sort_out(std::vector<std::uint32_t>& surfaces) {
     std::ranges::sort(surfaces);
-    surfaces.erase(std::ranges::unique(surfaces).begin(), surfaces.end());
+    surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
   }
   Point3 place(const WeightedPoint3& p) const {
     const Rational unit = vertices_.scale() / p.weight;
