@@ -331,7 +331,7 @@ std::vector<T> Hdf5Reader::File::values(const std::string& array_name, hid_t typ
   if (H5Tconvert(*array.type, type, array.size, raw.data(), nullptr, H5P_DEFAULT) < 0)
     refuse("`" + array_name + "` holds other numbers than are read");
   std::vector<T> result(array.size);
-  std::memcpy(result.data(), raw.data(), result.size() * sizeof(T));
+  if (!result.empty()) std::memcpy(result.data(), raw.data(), result.size() * sizeof(T));
   return result;
 }
 
