@@ -1,5 +1,4 @@
 // hottel plan: what solve would simulate of a scene, and what not.
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -10,6 +9,7 @@
 #include "cli/room_for_elements.h"
 #include "cli/scene_input.h"
 #include "cli/sky_option.h"
+#include "cli/volume_files.h"
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "geometry/plane/prepared/element_table.h"
 #include "geometry/scene_names.h"
@@ -67,8 +67,7 @@ PlannedLists lists_of(double pairs, const std::string& unit, double vertices) {
   return planned_lists(pairs, unit, seconds_of_factors_2(vertices, pairs),
                        pairs * static_cast<double>(kBytesOfSumOnDisk));
 }
-// Of as many pairs as vertices that are looked around from tell, or, where there is no arrangement, as memory is told
-// by.
+// The number of pairs is an estimate: from the views of some vertices, or, without an arrangement, as the memory is.
 PlannedLists lists_of(const Simulation2& simulation, const MemoryEstimate& memory, bool is_arranged) {
   if (!is_arranged) {
     const MemoryStage& stage = memory.stages()[1];
@@ -89,8 +88,7 @@ PlanRequest light_of(const PlanOptions& options, const Scene3& scene, std::uint6
   if (options.illumination == "inverse-square") throw UsageError("--illumination inverse-square is of the plane");
   if (options.illumination != PlanOptions().illumination && cells == 0)
     throw UsageError("--illumination is of light on a grid, and " + options.scene + " has none");
-  if (request.is_average && std::ranges::any_of(scene.grids, &Grid3::is_volume))
-    throw UsageError("--illumination average is the irradiance of cells on a side, and a grid with \"w\" has none");
+  refuse_averages_in_volumes(options.illumination, scene);
   if (options.texels.empty()) return request;
   const TexelOption asked = texel_option(options.texels);
   request.texels = texel_grid_3(scene, face_of(scene, asked.name), asked.nu, asked.nv).cells();

@@ -23,12 +23,14 @@ OutputFile& file_of(const std::string& kind, const Grid3& grid, SolveFiles& file
 
 }  // namespace
 
-void require_sense_of_volumes(const SolveOptions& options, const Scene3& scene) {
-  const auto volume = std::ranges::find_if(scene.grids, &Grid3::is_volume);
-  if (volume == scene.grids.end()) return;
-  if (options.illumination == "average")
+void refuse_averages_in_volumes(const std::string& illumination, const Scene3& scene) {
+  if (illumination == "average" && std::ranges::any_of(scene.grids, &Grid3::is_volume))
     throw UsageError("--illumination average is the irradiance of cells on a side, and a grid with \"w\" has none");
-  if (!std::ranges::all_of(scene.grids, &Grid3::is_volume)) return;
+}
+
+void require_sense_of_volumes(const SolveOptions& options, const Scene3& scene) {
+  refuse_averages_in_volumes(options.illumination, scene);
+  if (scene.grids.empty() || !std::ranges::all_of(scene.grids, &Grid3::is_volume)) return;
   if (options.contours > 0)
     throw UsageError("--contours are lines in the picture of a planar grid, and " + options.scene + " has none");
   if (options.exr) throw UsageError("--exr is of light on a planar grid, and " + options.scene + " has none");

@@ -14,6 +14,9 @@
 
 namespace hottel {
 
+// Throws UsageError where --illumination asks for averages over cells, and a grid of the scene is a volume.
+void refuse_averages_in_volumes(const std::string& illumination, const Scene3& scene);
+
 // Throws UsageError where an option asks a volume of the scene for what it has not: averages of cells; or asks for what
 // planar grids have alone and there are none (contours, .exr).
 void require_sense_of_volumes(const SolveOptions& options, const Scene3& scene);

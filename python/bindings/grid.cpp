@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include "io/results/space/light_region.h"
 #include "kernel/support/failure.h"
 #include "python/bindings/bindings.h"
 #include "solver/plane/light/oriented_lights.h"
@@ -57,9 +58,8 @@ FoundLight found(const Simulation3& simulation, const std::optional<Shown>& show
 // The shape of an array of one number a cell.
 std::vector<py::ssize_t> shape_of(const std::variant<Grid2, Grid3>& cells) {
   if (const auto* const plane = std::get_if<Grid2>(&cells)) return {plane->ny, plane->nx};
-  const auto& grid = std::get<Grid3>(cells);
-  if (grid.is_volume()) return {grid.nw, grid.nv, grid.nu};
-  return {grid.nv, grid.nu};
+  const std::vector<std::size_t> shape = array_shape(std::get<Grid3>(cells));
+  return {shape.begin(), shape.end()};
 }
 
 // The same of so many numbers a cell.

@@ -3,36 +3,18 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <functional>
 
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "geometry/plane/exchange/requested_sums.h"
 #include "kernel/support/failure.h"
 #include "tests/geometry/plane/exchange_scenes.h"
+#include "tests/geometry/plane/same_rows.h"
 
 namespace hottel::exact_rows_test {
 namespace {
 
 using namespace testing_scenes;
-
-bool is_same_entry(const FactorEntry& a, const FactorEntry& b) {
-  return a.to == b.to && a.factor.value == b.factor.value && a.factor.side == b.factor.side &&
-         (a.visibility == b.visibility || (std::isnan(a.visibility) && std::isnan(b.visibility)));
-}
-
-void expect_same_rows(const ExchangeMatrix& whole, ExactRows2& rows) {
-  std::uint32_t next = 0;
-  for (std::size_t k = 0; k < rows.count(); ++k) {
-    const RowRange range = rows.load(k);
-    EXPECT_EQ(range.first, next);
-    for (std::uint32_t row = range.first; row < range.end; ++row)
-      EXPECT_TRUE(std::ranges::equal(rows.matrix().row(row), whole.row(row), is_same_entry)) << whole.name(row);
-    next = range.end;
-  }
-  EXPECT_EQ(next, whole.size());
-  EXPECT_TRUE(std::ranges::equal(rows.begins(), whole.begins()));
-}
 
 void expect_same_report(const ExchangeReport& a, const ExchangeReport& b) {
   EXPECT_EQ(a.pairs, b.pairs);

@@ -4,14 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "tests/comparison/space/pair_scene.h"
 #include "tests/oracle/space/pair_quadrature.h"
 #include "tests/oracle/space/random_polygons.h"
+#include "tests/oracle/space/space_scenes.h"
 
 namespace hottel::oracle::occluded_values_test {
 namespace {
@@ -30,17 +30,8 @@ SpacePolygon floor_square() { return {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}
 SpacePolygon ceiling_square() { return {{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}}; }
 SpacePolygon wall_square() { return {{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}}; }
 
-mpq_class number(const nlohmann::json& value) {
-  return value.is_string() ? mpq_class(value.get<std::string>()) : mpq_class(value.get<double>());
-}
-
-std::vector<SpacePolygon> polygons_of(const nlohmann::json& list) {
-  std::vector<SpacePolygon> polygons;
-  for (const auto& points : list) {
-    polygons.emplace_back();
-    for (const auto& p : points) polygons.back().push_back({number(p[0]), number(p[1]), number(p[2])});
-  }
-  return polygons;
+std::vector<SpaceCase> cases_of_the_file() {
+  return read_space_cases(std::string(HOTTEL_SOURCE_DIR) + "/tests/oracle/space/occluded.json");
 }
 
 // F from polygon 0 to polygon 1: forward, from j to i, along edges even where the pair is clear, and with another
@@ -69,11 +60,9 @@ void expect_factor(const std::vector<SpacePolygon>& polygons, double factor, con
 }
 
 TEST(OccludedValues, AreThoseOfTheFile) {
-  std::ifstream file(std::string(HOTTEL_SOURCE_DIR) + "/tests/oracle/space/occluded.json");
-  const nlohmann::json all = nlohmann::json::parse(file);
-  ASSERT_EQ(all["cases"].size(), 140u);
-  for (const auto& entry : all["cases"])
-    expect_factor(polygons_of(entry["polygons"]), entry["value"].get<double>(), entry["name"].get<std::string>());
+  const std::vector<SpaceCase> cases = cases_of_the_file();
+  ASSERT_EQ(cases.size(), 140u);
+  for (const auto& [name, polygons, value] : cases) expect_factor(polygons, value, name);
 }
 
 // What is proven of a pair holds the value, of which the file has all digits that doubles have, and is as narrow as
@@ -95,9 +84,7 @@ void expect_enclosed(const std::vector<SpacePolygon>& polygons, double factor, c
 }
 
 TEST(OccludedValues, AreEnclosed) {
-  std::ifstream file(std::string(HOTTEL_SOURCE_DIR) + "/tests/oracle/space/occluded.json");
-  for (const auto& entry : nlohmann::json::parse(file)["cases"])
-    expect_enclosed(polygons_of(entry["polygons"]), entry["value"].get<double>(), entry["name"].get<std::string>());
+  for (const auto& [name, polygons, value] : cases_of_the_file()) expect_enclosed(polygons, value, name);
   const mpq_class h(1, 2);
   expect_enclosed({floor_square(), ceiling_square(), {{0, 0, h}, {h, 0, h}, {h, h, h}, {0, h, h}}}, kParallel * 3 / 4,
                   "obstructed_squares_corner");

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -14,6 +13,8 @@
 #include "geometry/plane/generate/generators.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "tests/geometry/plane/exchange_scenes.h"
+#include "tests/geometry/plane/same_rows.h"
 #include "tests/temporary_folder.h"
 
 namespace hottel::sum_folder_test {
@@ -21,18 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Scene2 generated(const std::string& kind, std::uint64_t n, std::uint64_t seed) {
-  GeneratorRequest2 request;
-  request.kind = kind;
-  request.n = n;
-  request.seed = seed;
-  return generate_2(request);
-}
-
-bool is_same_entry(const FactorEntry& a, const FactorEntry& b) {
-  return a.to == b.to && a.factor.value == b.factor.value && a.factor.side == b.factor.side &&
-         (a.visibility == b.visibility || (std::isnan(a.visibility) && std::isnan(b.visibility)));
-}
+using testing_scenes::generated;
 
 // A scene with its rows by way of a folder.
 class OnDisk {
@@ -53,11 +43,7 @@ class OnDisk {
     ExchangeReport of_whole;
     const ExchangeMatrix whole = exact_exchange(prepared_, {}, &of_whole);
     ExactRows2 rows(prepared_, *table_, request_, sums, report_);
-    for (std::size_t k = 0; k < rows.count(); ++k) {
-      const RowRange range = rows.load(k);
-      for (std::uint32_t row = range.first; row < range.end; ++row)
-        EXPECT_TRUE(std::ranges::equal(rows.matrix().row(row), whole.row(row), is_same_entry)) << whole.name(row);
-    }
+    testing_scenes::expect_same_rows(whole, rows);
     EXPECT_EQ(report_.pairs, of_whole.pairs);
     if (of_whole.gaps == 0) return;  // a convex room: no sweep, and other errors on the way to the same numbers
     EXPECT_EQ(report_.tiers, of_whole.tiers);
