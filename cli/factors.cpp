@@ -67,8 +67,8 @@ void require_sense_of_rows(const FactorsOptions& options) {
 }
 
 void require_sense_of_folders(const FactorsOptions& options) {
-  if (!options.has_sums_on_disk() || needs_rows_alone(options)) return;
-  throw UsageError(std::string(options.checkpoint.empty() ? "--out-of-core" : "--checkpoint") +
+  if (!options.sums.is_given() || needs_rows_alone(options)) return;
+  throw UsageError(std::string(options.sums.name()) +
                    " is of lists of pairs (.csv, .mtx, .h5) by the method exact: without --store, --matrix, --pairs, "
                    "--picture, --script-f and --exact-form, and --json with -o FILE");
 }
@@ -168,7 +168,7 @@ void factors_in_plane(FactorsOptions& options, Scene2 scene, Streams& streams) {
   Simulation2 simulation(std::move(scene), std::move(request));
 
   FactorsFiles files(options, streams);
-  if (options.has_sums_on_disk()) require_memory_of_rows(options, simulation.scene());
+  if (options.sums.is_given()) require_memory_of_rows(options, simulation.scene());
   simulation.require_closed(streams.stages());
   if (streams_rows(options, simulation, streams))
     return write_streamed_factors(options, simulation, origin, files, streams);
@@ -332,16 +332,9 @@ void add_factors(Commands& commands) {
   command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
       ->type_name("BYTES")
       ->transform(whole_number(1));
-  CLI::Option* out_of_core = command.add_option(
-      "--out-of-core", options->out_of_core,
-      "in the plane: the sums of pairs go to files in this folder while the run lasts, so that it keeps "
-      "to --memory however many pairs there are; the same result");
-  out_of_core->type_name("DIR");
-  command
-      .add_option("--checkpoint", options->checkpoint,
-                  "the same, and the files stay where the run is ended: the same command goes on from there")
-      ->type_name("DIR")
-      ->excludes(out_of_core);
+  options->sums.add_to(command,
+                       "the sums of pairs go to files in this folder while the run lasts, so that it keeps to --memory "
+                       "however many pairs there are; the same result");
   command
       .add_option("--picture", options->picture,
                   "draw the scene (.png, .svg, .pdf), faces coloured by their factor to --toward")

@@ -52,7 +52,7 @@ FactorsRequest3 request_in_space(const FactorsOptions& options, const Scene3& sc
 }  // namespace
 
 void factors_in_space(FactorsOptions& options, Scene3 scene, const Streams& streams) {
-  if (options.has_sums_on_disk()) throw UsageError("--out-of-core and --checkpoint are of scenes in the plane");
+  options.sums.refuse_in_space();
   require_what_space_has(options);
   FactorsRequest3 request = request_in_space(options, scene);
   options.elements.apply_to(scene);

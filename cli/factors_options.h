@@ -13,6 +13,7 @@
 #include "cli/sky_option.h"
 #include "cli/store_option.h"
 #include "cli/streams.h"
+#include "cli/sums_option.h"
 #include "geometry/row_choice.h"
 #include "io/results/factor_files.h"
 #include "io/results/factor_hdf5.h"
@@ -36,7 +37,7 @@ struct FactorsOptions {
   std::string rows;  // those that are written; empty: all
   std::optional<int> digits;
   std::uint64_t memory = 0;
-  std::string out_of_core, checkpoint;  // the folders of sums
+  SumsOption sums;
   bool awaits_deck = false;  // the scene is a deck that was not read yet: it may say the format of the output
   DeckOutput3 deck;          // what it asks for
 
@@ -47,7 +48,6 @@ struct FactorsOptions {
   FactorFormat format() const;
   // Whether the pairs that see each other are listed: else all have a place.
   bool lists_pairs() const;
-  bool has_sums_on_disk() const { return !out_of_core.empty() || !checkpoint.empty(); }
   // Whether the file holds the scene too.
   bool keeps_scene() const { return format() == FactorFormat::kHdf5; }
 };

@@ -23,9 +23,11 @@ inline MemoryQuestion solving_question(const Scene3& scene, const LevelOptions& 
 // Throws RequestError where it does not fit. memory: as asked for; then what is freed is given back soon.
 template <class AnyScene>
 void require_room_for_solving(const AnyScene& scene, std::optional<std::uint64_t> memory,
-                              const LevelOptions& levels = {}) {
+                              const LevelOptions& levels = {}, bool pairs_on_disk = false) {
   if (memory) give_memory_back_soon();
-  require_memory(scene, solving_question(scene, levels), memory.value_or(0));
+  MemoryQuestion question = solving_question(scene, levels);
+  question.pairs_on_disk = pairs_on_disk;
+  require_memory(scene, question, memory.value_or(0));
 }
 
 }  // namespace hottel

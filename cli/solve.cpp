@@ -41,6 +41,7 @@ struct Request {
   Shown shown{};             // by the picture
   bool shows_cells = false;  // and by the grid that was asked for
   std::filesystem::path directory;
+  std::shared_ptr<const ExactOnDisk2> on_disk;  // the method of --out-of-core or --checkpoint; null where none is given
 };
 
 IlluminationPicture2 light_picture(const SolveOptions& options) {
@@ -66,6 +67,15 @@ void require_picture_of_faces(const SolveOptions& options, const Shown& shown) {
                        " excludes --no-illumination: without light there is a picture with --show of something else");
 }
 
+// What is on disk is one exact matrix, whose rows are read one after the other.
+void require_sense_of_sums(const SolveOptions& options) {
+  if (!options.sums.is_given()) return;
+  const bool is_fit = options.solver == "auto" || options.solver == "cg";
+  if (options.method != "exact" || !is_fit || options.store.is_given() || options.levels.levels().is_any())
+    throw UsageError(std::string(options.sums.name()) +
+                     " is of the method exact with --solver auto or cg, without --store and --levels");
+}
+
 Request request_of(const SolveOptions& options) {
   options.levels.require_sense();
   Request request;
@@ -83,6 +93,9 @@ Request request_of(const SolveOptions& options) {
   if (options.no_illumination && asked.everything)
     throw UsageError("--simulate everything and --no-illumination exclude each other");
   if (!options.views.empty()) require_sense_of_views(options.views, options.illumination);
+  require_sense_of_sums(options);
+  if (options.sums.is_given())
+    request.on_disk = std::make_shared<const ExactOnDisk2>(options.sums.folder(), options.sums.last());
   asked.wants_light = !options.no_illumination;
   request.shown = shown_of(options);
   require_picture_of_faces(options, request.shown);
@@ -125,14 +138,15 @@ struct Outputs {
 // The scene as it is asked for, ready to be simulated.
 Simulation2 simulation_of(const SolveOptions& options, Scene2 scene, Request request) {
   options.elements.apply_to(scene);
-  require_room_for_solving(scene, options.memory, options.levels);
+  require_room_for_solving(scene, options.memory, options.levels, options.sums.is_given());
   request.simulation.lights = light_test_of(options, scene);
   const Grid2 grid = grid_of(scene, options.grid);
   if (request.simulation.wants_light)
     require_room_for_light(options, cells_text(grid), std::uint64_t{grid.nx} * grid.ny, channel_count(scene),
                            "take a coarser --grid", request.directory);
   request.simulation.grid = grid;
-  request.simulation.method = all_methods_2().make(options.method);
+  request.simulation.method = request.on_disk;
+  if (!request.on_disk) request.simulation.method = all_methods_2().make(options.method);
   request.simulation.store = options.store.open(options.method);
   return Simulation2(std::move(scene), std::move(request.simulation));
 }
@@ -298,6 +312,10 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
                        (outputs.views ? "\nwhat the cells see: " + options.views : "") +
                            (outputs.render != nullptr ? "\nthe picture: " + options.render : ""),
                        streams);
+  if (request.on_disk) {
+    options.sums.tell(request.on_disk->bytes_of_sums(), streams);
+    request.on_disk->forget();
+  }
 }
 
 ExitCode solve(const SolveOptions& options, Streams& streams) {
@@ -479,6 +497,10 @@ void add_solve(Commands& commands) {
       command, "every factor is proven, so that the bounds of radiosities are those of the true factors; ");
   options->sky.add_to(command);
   options->store.add_to(command);
+  options->sums.add_to(
+      command,
+      "view factors go to files in this folder while the run lasts, so that factors and radiosities keep "
+      "to --memory beside the scene, however many pairs there are; the same result");
   command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
       ->type_name("BYTES")
       ->transform(whole_number(1));

@@ -323,6 +323,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   require_shown(shown, scene);
   const std::optional<TexelChoice> texel_choice = texels_of(options, scene);
   options.elements.apply_to(scene);
+  options.sums.refuse_in_space();
   require_room_for_solving(scene, options.memory, options.levels);
   const std::vector<Grid3> grids = options.no_illumination ? std::vector<Grid3>() : grids_of(scene, options.grid);
   const SimulationRequest3 request = request_of(options, scene, grids, texel_choice ? texel_choice->grid.cells() : 0);

@@ -13,6 +13,7 @@
 #include "cli/scene_input.h"
 #include "cli/sky_option.h"
 #include "cli/store_option.h"
+#include "cli/sums_option.h"
 #include "io/files/output_file.h"
 #include "io/results/solve_report.h"
 #include "solver/radiosity/light_test.h"
@@ -43,6 +44,7 @@ struct SolveOptions {
   LevelOptions levels;
   PolygonOptions polygons;
   StoreOption store;
+  SumsOption sums;
   SkyOption sky;
   std::optional<int> digits;  // of csv
   bool json = false;

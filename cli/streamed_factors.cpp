@@ -33,11 +33,10 @@ struct Streamed {
 
 // Of --out-of-core or --checkpoint; null where neither is given.
 std::unique_ptr<SumFolder2> folder_of(const FactorsOptions& options, Streamed& streamed) {
-  if (!options.has_sums_on_disk()) return nullptr;
-  const bool stays = !options.checkpoint.empty();
+  if (!options.sums.is_given()) return nullptr;
   return std::make_unique<SumFolder2>(
-      SumFolderRequest{.folder = stays ? options.checkpoint : options.out_of_core, .stays = stays}, *streamed.prepared,
-      *streamed.table, streamed.request, streamed.counts);
+      SumFolderRequest{.folder = options.sums.folder(), .stays = options.sums.last() == SumsLast::kUntilDone},
+      *streamed.prepared, *streamed.table, streamed.request, streamed.counts);
 }
 
 std::unique_ptr<const SumsInMemory2> in_memory(Streamed& streamed) {
@@ -78,7 +77,7 @@ constexpr std::uint64_t kMostPairsInMatrix = std::uint64_t{1} << 22;
 }  // namespace
 
 void require_memory_of_rows(const FactorsOptions& options, const Scene2& scene) {
-  require_memory(scene, {.granularity = options.per(), .pairs_on_disk = options.has_sums_on_disk()}, options.memory);
+  require_memory(scene, {.granularity = options.per(), .pairs_on_disk = options.sums.is_given()}, options.memory);
 }
 
 bool needs_rows_alone(const FactorsOptions& options) {
@@ -88,7 +87,7 @@ bool needs_rows_alone(const FactorsOptions& options) {
 }
 
 bool streams_rows(const FactorsOptions& options, const Simulation2& simulation, const Streams& streams) {
-  if (options.has_sums_on_disk()) return true;
+  if (options.sums.is_given()) return true;
   if (!needs_rows_alone(options)) return false;
   const auto prepared = simulation.prepared(streams.stages());
   return estimated_sight(prepared->arrangement, *prepared->elements(options.per())).pairs > kMostPairsInMatrix;
@@ -117,8 +116,7 @@ void write_streamed_factors(FactorsOptions& options, const Simulation2& simulati
   if (options.json) streams.write("", factors_json(report));
   files.commit();
   if (streamed->folder) {
-    streams.note(fmt::format("{} of sums were in {}", short_bytes(static_cast<double>(streamed->folder->bytes())),
-                             options.checkpoint + options.out_of_core));
+    options.sums.tell(streamed->folder->bytes(), streams);
     streamed->folder->forget();
   }
   streams.note(factors_text(report));

@@ -20,7 +20,9 @@ void ExchangeMatrix::assign(std::vector<std::size_t> begin, FactorEntries entrie
                             std::vector<Enclosure> bounds, std::vector<Guarantee> guarantees) {
   begin_ = std::move(begin);
   entries_ = std::move(entries);
-  if (std::ranges::all_of(entries_.sides_, [](signed char side) { return side == 0; })) entries_.sides_ = {};
+  memory_ = entries_.columns_.get_allocator().memory();
+  if (std::ranges::all_of(entries_.sides_, [](signed char side) { return side == 0; }))
+    entries_.sides_ = PlacedArray<signed char>();
   measures_ = std::move(measures);
   bounds_ = std::move(bounds);
   guarantees_ = std::move(guarantees);

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -83,6 +84,8 @@ class ExchangeMatrix {
   std::span<const std::uint32_t> columns() const { return entries_.columns_; }
   std::span<const double> factors() const { return entries_.factors_; }
   std::span<const double> visibilities() const { return entries_.visibilities_; }
+  // Where they stand: null for the heap. What is as large as they are is to stand there too.
+  const std::shared_ptr<const FolderMemory>& memory() const { return memory_; }
 
   // S(from, to), correctly rounded, for each entry of the row; empty unless it was asked for.
   std::span<const double> measures(std::uint32_t i) const {
@@ -123,6 +126,7 @@ class ExchangeMatrix {
   std::vector<Element> elements_;
   std::vector<std::size_t> begin_;
   FactorEntries entries_;  // without sides where all are 0
+  std::shared_ptr<const FolderMemory> memory_;
   std::vector<double> measures_;
   std::vector<Enclosure> bounds_;      // empty: none but what the entries say
   std::vector<Guarantee> guarantees_;  // empty: all alike

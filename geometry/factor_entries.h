@@ -7,11 +7,13 @@
 #include <cstdint>
 #include <initializer_list>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "kernel/enclosure.h"
+#include "kernel/support/folder_memory.h"
 
 namespace hottel {
 
@@ -122,6 +124,12 @@ inline FactorRow::Iterator FactorRow::end() const { return {*this, size_}; }
 class FactorEntries {
  public:
   FactorEntries() = default;
+  // Without entries; they are to stand in files. `memory`: null for the heap.
+  explicit FactorEntries(const std::shared_ptr<const FolderMemory>& memory)
+      : columns_(PlacingAllocator<std::uint32_t>(memory)),
+        factors_(PlacingAllocator<double>(memory)),
+        sides_(PlacingAllocator<signed char>(memory)),
+        visibilities_(PlacingAllocator<double>(memory)) {}
   explicit FactorEntries(std::size_t size) { resize(size); }
   FactorEntries(std::initializer_list<FactorEntry> entries) { append(entries); }
   FactorEntries(const std::vector<FactorEntry>& entries) { append(entries); }
@@ -162,10 +170,10 @@ class FactorEntries {
  private:
   friend class ExchangeMatrix;
 
-  std::vector<std::uint32_t> columns_;
-  std::vector<double> factors_;
-  std::vector<signed char> sides_;
-  std::vector<double> visibilities_;
+  PlacedArray<std::uint32_t> columns_;
+  PlacedArray<double> factors_;
+  PlacedArray<signed char> sides_;
+  PlacedArray<double> visibilities_;
 };
 
 }  // namespace hottel

@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 
 #include "geometry/exchange_matrix.h"
+#include "kernel/support/folder_memory.h"
 
 namespace hottel {
 
@@ -34,5 +36,9 @@ class RowRanges {
   // Fills the matrix with range k, and returns which rows these are.
   virtual RowRange load(std::size_t k) = 0;
 };
+
+// Returns all rows as one matrix, whose entries stand in `memory`; null for the heap. Besides these one range is there
+// at a time. REQUIRES: entries without measures and bounds.
+ExchangeMatrix whole_matrix(RowRanges& rows, const std::shared_ptr<const FolderMemory>& memory);
 
 }  // namespace hottel

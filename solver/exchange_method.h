@@ -50,6 +50,9 @@ class ExchangeMethod {
   // scene is to be prepared with them, whatever rows are asked for.
   virtual bool works_by_elements() const { return false; }
 
+  // True iff memory does not grow with the pairs: they are on disk, before and after they are a matrix.
+  virtual bool keeps_pairs_on_disk() const { return false; }
+
   // What the method claims of its largest error on a scene, before it is run: a bound that follows from its reference
   // and the scene's geometry. Nothing where the method claims nothing.
   virtual std::optional<double> declared_error(const Prepared& prepared) const = 0;

@@ -57,7 +57,7 @@ MemoryEstimate::MemoryEstimate(std::vector<CountedFace> faces, const MemoryQuest
   known_pairs_ = are_known ? pairs_ : 0;
   peak_ = of_factors_ + pairs_ * bytes_of_pair;
   of_factors_ += known_pairs_ * bytes_of_pair;
-  add_solution(counts, question, bytes.cached_pair);
+  add_solution(counts, question, question.pairs_on_disk ? 0 : bytes.cached_pair);
 }
 
 void MemoryEstimate::add_solution(const ElementPairCounts& counts, const MemoryQuestion& question, double cached_pair) {
@@ -71,7 +71,8 @@ void MemoryEstimate::add_solution(const ElementPairCounts& counts, const MemoryQ
   if (question.solves) {
     const auto bytes_with = [&](double pairs) {
       const bool is_dense = counts.rows <= kMostDenseUnknowns;
-      const double system = is_dense ? counts.rows * counts.rows * kBytesPerDenseEntry : 2 * pairs * kBytesPerEntry;
+      const double entries = question.pairs_on_disk ? 0 : 2 * pairs;
+      const double system = is_dense ? counts.rows * counts.rows * kBytesPerDenseEntry : entries * kBytesPerEntry;
       return system + counts.rows * question.channels * kBytesPerUnknown;
     };
     add("radiosity", counts.rows, "unknowns", bytes_with(pairs_), bytes_with(known_pairs_));

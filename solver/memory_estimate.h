@@ -19,7 +19,7 @@ struct MemoryQuestion {
   int channels = 1;            // of these
   std::uint64_t cells = 0;     // of light between the faces
   std::uint64_t pixels = 0;    // of a picture
-  bool pairs_on_disk = false;  // what factors take of memory does not grow with them
+  bool pairs_on_disk = false;  // what factors and their solution take of memory does not grow with them
 };
 
 // What one stage takes at its peak.

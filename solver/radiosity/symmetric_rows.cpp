@@ -9,7 +9,9 @@ constexpr double kSmallestReflectivity = 0x1p-800;  // below it the weight stays
 
 }  // namespace
 
-SymmetricRows::SymmetricRows(const RadiositySystem& system) {
+SymmetricRows::SymmetricRows(const RadiositySystem& system)
+    : to(PlacingAllocator<std::uint32_t>(system.matrix().memory())),
+      coupling_of(PlacingAllocator<double>(system.matrix().memory())) {
   const ExchangeMatrix& matrix = system.matrix();
   const std::size_t n = system.size();
   std::vector<double> largest(system.components().size(), 0);
@@ -19,6 +21,10 @@ SymmetricRows::SymmetricRows(const RadiositySystem& system) {
   defect.assign(n, 0);
   weight.assign(n, 0);
   begin.push_back(0);
+  std::size_t entries = 0;
+  for (const SystemRow& row : system.rows()) entries += matrix.row(row.element).size();
+  to.reserve(entries);  // at once: growing would copy what may be on disk
+  coupling_of.reserve(entries);
   for (std::size_t i = 0; i < n; ++i) {
     const SystemRow& row = system.rows()[i];
     const double area = matrix.elements()[row.element].area.value / largest[row.component];

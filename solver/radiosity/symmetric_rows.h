@@ -20,8 +20,8 @@ namespace hottel {
 // REQUIRES rows that are closed. COST: one pass over the matrix, 12 bytes a coupling.
 struct SymmetricRows {
   std::vector<std::size_t> begin;  // by unknown, one more at the end
-  std::vector<std::uint32_t> to;
-  std::vector<double> coupling_of;               // by entry
+  PlacedArray<std::uint32_t> to;   // by entry, as the one below; they stand where the matrix does
+  PlacedArray<double> coupling_of;
   std::vector<double> coupling, defect, weight;  // by unknown; coupling is the sum of its entries
   std::vector<std::uint32_t> component;
 

@@ -41,6 +41,19 @@ TEST_F(KilledCheckpoint, GoesOnToTheSameBytes) {
   EXPECT_EQ(place_.run("ls -A d 2>/dev/null | wc -l").out, "0\n") << "chunks of a run that is done";
 }
 
+// Radiosities from sums of runs that were killed.
+TEST_F(KilledCheckpoint, LeadsToTheSameRadiosities) {
+  const std::string solve = "hottel solve scene.json --no-illumination --no-picture --quiet -o ";
+  ASSERT_EQ(place_.run(solve + "alone").code, 0);
+  for (int k = 0; k < 3; ++k)
+    run({"hottel", "solve", place_.path("scene.json").string(), "--no-illumination", "--no-picture", "--quiet", "-o",
+         place_.path("kept").string(), "--checkpoint", place_.path("d").string()},
+        0.2 + 0.3 * k);
+  ASSERT_EQ(place_.run(solve + "kept --checkpoint d").code, 0);
+  EXPECT_EQ(place_.run("cmp alone/radiosity.csv kept/radiosity.csv && cmp alone/flux.csv kept/flux.csv").code, 0);
+  EXPECT_NE(place_.run("ls d").code, 0) << "chunks of a run that is done";
+}
+
 TEST_F(KilledCheckpoint, IsOfOneSceneAlone) {
   for (double share = 0.9; share > 0.1 && place_.run("ls d/*.sums").code != 0; share -= 0.1) run_for(share * 0.5);
   if (place_.run("ls d/*.sums").code != 0) GTEST_SKIP() << "no run was killed between its first chunk and its end";

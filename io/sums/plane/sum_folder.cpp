@@ -142,10 +142,19 @@ void SumFolder2::require_own(const fs::path& file, const SumChunkHead2& head) co
 }
 
 void SumFolder2::require_room() const {
-  const std::uint64_t needed = disk_for_sums_2(estimated_pairs_), there = bytes();
+  const std::uint64_t needed = disk_for_sums_2(estimated_pairs_) + estimated_pairs_ * asked_.bytes_beside;
+  const std::uint64_t there = bytes();
   if (needed > there)
     require_space(place_of(asked_) / kEnding, needed - there,
-                  fmt::format("the sums of about {} pairs take about", estimated_pairs_), "");
+                  fmt::format("the sums{} of about {} pairs take about", asked_.bytes_beside > 0 ? " and factors" : "",
+                              estimated_pairs_),
+                  "");
+}
+
+std::vector<fs::path> SumFolder2::files() const {
+  std::vector<fs::path> files;
+  for (const Chunk& chunk : chunks_) files.push_back(chunk.file);
+  return files;
 }
 
 std::uint64_t SumFolder2::bytes() const {

@@ -27,6 +27,7 @@ struct SumFolderRequest {
   std::filesystem::path folder;
   bool stays = false;                        // chunks of a run that does not come to its end stay: the next run goes on
   std::chrono::duration<double> between{2};  // what a sweep may take before it is written, where chunks stay
+  std::uint64_t bytes_beside = 0;            // of each pair that the run will write to the same disk besides its sum
 };
 
 // The sums of a scene, swept into chunks.
@@ -53,6 +54,8 @@ class SumFolder2 final : public SumSource2 {
   void forget() { asked_.stays = false; }
   // Bytes on the disk.
   std::uint64_t bytes() const;
+  // The files that the sums are in.
+  std::vector<std::filesystem::path> files() const;
 
  private:
   struct Chunk {

@@ -273,7 +273,9 @@ struct CheckInput {
 
 ComputedFactors2 make_factors(const FactorsInput& input, const StageProgress& progress) {
   const bool tells_elements_apart = input.method->works_by_elements();
-  require_memory(*input.scene, {.granularity = tells_elements_apart ? Granularity::kElement : input.granularity},
+  require_memory(*input.scene,
+                 {.granularity = tells_elements_apart ? Granularity::kElement : input.granularity,
+                  .pairs_on_disk = input.method->keeps_pairs_on_disk()},
                  input.memory);
   const auto prepared = input.arrangement->get(progress);
   const ExchangeRequest asked{.granularity = input.granularity,
@@ -387,6 +389,11 @@ const MethodPtr& exact_method() {
   return method;
 }
 
+// Whether it is that, made by whomever.
+bool is_usual(const MethodPtr& method) {
+  return !method || (method->info().name == exact_method()->info().name && !method->keeps_pairs_on_disk());
+}
+
 }  // namespace
 
 namespace {
@@ -493,9 +500,7 @@ Arranged Simulation2::Version::arrangement() const {
 void Simulation2::Version::set_factors(const Version* before) {
   const FactorsInput wanted{.arrangement = arrangement().stage,
                             .scene = scene,
-                            .method = request.method && request.method->info().name != exact_method()->info().name
-                                          ? request.method
-                                          : exact_method(),
+                            .method = is_usual(request.method) ? exact_method() : request.method,
                             .granularity = granularity,
                             .rows = request.store ? RowChoice() : request.rows,  // what is kept is kept whole
                             .wants_visibility = request.wants_visibility,
