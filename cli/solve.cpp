@@ -284,9 +284,9 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
   Outputs outputs(options, wanted, simulation.scene());
   const Results results = results_of(simulation, wanted, streams);
   const ExchangeMatrix& matrix = results.factors->matrix;
+  watch.lap();
   const NetFluxes fluxes(simulation.scene(), matrix, *results.solution, *simulation.light_shares());
   const Solved solved{simulation.scene(), matrix, *results.solution, fluxes};
-  watch.lap();
   outputs.files.write_tables(solved, options.digits);
   write_results(options, simulation, results, streams, outputs);
   std::map<std::string, double> seconds = seconds_of(results);

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <unordered_map>
+#include <utility>
 
 #include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/parallel.h"
 #include "solver/radiosity/scaled_ball.h"
 
 namespace hottel {
@@ -17,31 +20,60 @@ ScaledBall within(double value, double lower, double upper) {
 
 NetFlux::Power power_of(const ScaledBall& flux) { return {flux.nearest(), flux.lower(), flux.upper()}; }
 
-// Of every element, the sky last.
-std::vector<ScaledBall> flux_by_element(const ExchangeMatrix& matrix, const ChannelSolution& solution,
-                                        const ScaledBall& sky_emission) {
-  std::vector<ScaledBall> result(matrix.size() + 1);
-  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-    if (!matrix.has_row(i)) continue;
-    const ElementRadiosity& element = solution.elements[i];
-    const ScaledBall area = ScaledBall::of(DoubleDoubleBall::of(matrix.elements()[i].area));
-    const ScaledBall radiosity = within(element.radiosity, element.lower, element.upper);
-    result[i] = product(area, within(element.net_value, element.net_lower, element.net_upper));
-    for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {
-      const FactorEntry& entry = matrix.row(i)[k];
-      const bool is_sky = entry.to == matrix.sky();
-      if (!is_sky && matrix.has_row(entry.to)) continue;
-      const bool is_any_within =
-          matrix.guarantee() == Guarantee::kEnclosed && matrix.guarantee(i, k) == Guarantee::kEnclosed;
-      const DoubleDoubleBall factor = is_any_within
-                                          ? DoubleDoubleBall::around({entry.factor.value, 0}, matrix.bounds(i, k))
-                                          : DoubleDoubleBall::of(entry.factor);
-      const ScaledBall sent = is_sky ? difference(sky_emission, radiosity) : negated(radiosity);
-      result[entry.to] = sum(result[entry.to], product(product(area, ScaledBall::of(factor)), sent));
+// What leaves the elements with rows through each of the others, in one channel.
+class Flux {
+ public:
+  Flux(const ExchangeMatrix& matrix, const ChannelSolution& solution, ScaledBall sky_emission)
+      : matrix_(matrix), sky_emission_(std::move(sky_emission)), area_(matrix.size()), radiosity_(matrix.size()) {
+    result_.resize(matrix.size() + 1);
+    has_row_.resize(matrix.size() + 1, 0);
+    parallel_ranges(matrix.size(), 256, [&](std::size_t first, std::size_t last) {
+      for (auto i = static_cast<std::uint32_t>(first); i < last; ++i) {
+        if (!matrix.has_row(i)) continue;
+        has_row_[i] = 1;
+        const ElementRadiosity& element = solution.elements[i];
+        area_[i] = ScaledBall::of(DoubleDoubleBall::of(matrix.elements()[i].area));
+        radiosity_[i] = within(element.radiosity, element.lower, element.upper);
+        result_[i] = product(area_[i], within(element.net_value, element.net_lower, element.net_upper));
+      }
+    });
+    constexpr std::size_t kParts = 16;  // by n alone; each goes through all rows
+    parallel_ranges(matrix.size() + std::size_t{1}, matrix.size() / kParts + 1,
+                    [this](std::size_t first, std::size_t last) { receive(first, last); });
+  }
+
+  // Of every element, the sky last.
+  std::vector<ScaledBall> take() { return std::move(result_); }
+
+ private:
+  // What arrives at those from `first` up to `last` that have no row: what each row sends, one after the other.
+  void receive(std::size_t first, std::size_t last) {
+    for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
+      if (has_row_[i] == 0) continue;
+      const std::span<const std::uint32_t> columns = matrix_.row(i).columns();
+      for (auto at = std::ranges::lower_bound(columns, first); at != columns.end() && *at < last; ++at)
+        if (has_row_[*at] == 0) add(i, static_cast<std::size_t>(at - columns.begin()));
     }
   }
-  return result;
-}
+
+  // Adds what row i sends to its k-th entry.
+  void add(std::uint32_t i, std::size_t k) {
+    const FactorEntry entry = matrix_.row(i)[k];
+    const bool is_any_within =
+        matrix_.guarantee() == Guarantee::kEnclosed && matrix_.guarantee(i, k) == Guarantee::kEnclosed;
+    const DoubleDoubleBall factor = is_any_within
+                                        ? DoubleDoubleBall::around({entry.factor.value, 0}, matrix_.bounds(i, k))
+                                        : DoubleDoubleBall::of(entry.factor);
+    const ScaledBall sent =
+        entry.to == matrix_.sky() ? difference(sky_emission_, radiosity_[i]) : negated(radiosity_[i]);
+    result_[entry.to] = sum(result_[entry.to], product(product(area_[i], ScaledBall::of(factor)), sent));
+  }
+
+  const ExchangeMatrix& matrix_;
+  ScaledBall sky_emission_;
+  std::vector<ScaledBall> area_, radiosity_, result_;
+  std::vector<char> has_row_;  // of elements, and of the sky: none. An element is looked up far more slowly
+};
 
 }  // namespace
 
@@ -80,8 +112,7 @@ std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolut
   }
   for (std::size_t c = 0; c < solution.channels.size(); ++c) {
     const RationalEnclosure& sky = sky_emission[static_cast<int>(c)];
-    std::vector<ScaledBall> flux =
-        flux_by_element(matrix, solution.channels[c], ScaledBall::around(sky.lower, sky.upper));
+    std::vector<ScaledBall> flux = Flux(matrix, solution.channels[c], ScaledBall::around(sky.lower, sky.upper)).take();
     for (const auto& [element, power] : lost)
       flux[element] = difference(flux[element], ScaledBall::around(power[c].lower, power[c].upper));
     std::vector<ScaledBall> total(result.size());
