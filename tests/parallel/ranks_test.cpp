@@ -112,7 +112,7 @@ TEST(Ranks, RefuseOnceWithTheCodeOfOneProcess) {
     return count;
   };
   for (const std::string& arguments :
-       {"factors " + kScenes + "space/two_boxes.json --tolerance 1e-15 --guarantee enclosed -o f.csv",
+       {"factors " + kScenes + "degenerate/space/window.json --tolerance 1e-16 --guarantee enclosed -o f.csv",
         "factors " + kScenes + "space/two_boxes.json --per element --elements 16 --memory 100K -o f.csv",
         "factors " + kScenes + "space/no_such_scene.json", std::string("factors --no-such-option")}) {
     const Outcome one = place.run("hottel " + arguments);
