@@ -1,4 +1,4 @@
-// Numbered pieces of work that are dealt out to threads here, and to others elsewhere.
+// Numbered tasks that are dealt out to threads here, and to others elsewhere.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace hottel {
 
-// Pieces from begin up to, and without, end.
+// Tasks from begin up to, and without, end.
 struct WorkRange {
   std::size_t begin = 0, end = 0;
 
@@ -18,22 +18,22 @@ struct WorkRange {
   friend bool operator==(const WorkRange&, const WorkRange&) = default;
 };
 
-// So many pieces, and how they are dealt: of the first ones, the dear, one at a time; of the others from least to most.
+// So many tasks, and how they are dealt: of the first ones, the dear, one at a time; of the others from least to most.
 struct WorkSizes {
   std::size_t count = 0, dear = 0, least = 1, most = 1;
 };
 
-// Deals pieces out in their order, many at the beginning and few at the end. For several threads at once.
+// Deals tasks out in their order, many at the beginning and few at the end. For several threads at once.
 //
-//   (1) each piece is dealt once, and once more for each time that it was given back
-//   (2) a hand gets one of the dear pieces, or from least to most of the others where there are as many
+//   (1) each task is dealt once, and once more for each time that it was given back
+//   (2) a hand gets one of the dear tasks, or from least to most of the others where there are as many
 //   (3) after stop() none is left
 class WorkQueue {
  public:
   // hands: how many threads work, here and elsewhere. REQUIRES dear <= count, hands >= 1, 1 <= least <= most.
   WorkQueue(const WorkSizes& sizes, std::size_t hands) : sizes_(sizes), hands_(hands) {}
 
-  // Pieces for so many of the hands; empty where none is left. REQUIRES for_hands >= 1.
+  // Tasks for so many of the hands; empty where none is left. REQUIRES for_hands >= 1.
   WorkRange take(std::size_t for_hands = 1) {
     const std::lock_guard lock(mutex_);
     if (is_stopped_) return {};
@@ -70,7 +70,7 @@ class WorkQueue {
   bool is_stopped_ = false;
 };
 
-// What somebody gets who asks for work: pieces to be done here, or what others found, or nothing as all is over.
+// What somebody gets who asks for work: tasks to be done here, or what others found, or nothing as all is over.
 template <class Done>
 struct WorkTurn {
   WorkRange here{};
@@ -79,7 +79,7 @@ struct WorkTurn {
   bool is_over() const { return here.is_empty() && !there.has_value(); }
 };
 
-// Who does which pieces, and how what others found comes here.
+// Who does which tasks, and how what others found comes here.
 template <class Done>
 class SharedWork {
  public:
@@ -88,14 +88,14 @@ class SharedWork {
   // The next turn of the thread that asks. It waits where all is dealt and others are not done, and throws Interrupted
   // where it is asked to stop.
   //
-  //   (1) each piece is in one turn: to be done here, or done elsewhere
-  //   (2) it is over for all threads as soon as all pieces are in turns, or after stop()
+  //   (1) each task is in one turn: to be done here, or done elsewhere
+  //   (2) it is over for all threads as soon as all tasks are in turns, or after stop()
   virtual WorkTurn<Done> next() = 0;
   // Ends it for all threads: one of them has failed.
   virtual void stop() = 0;
 };
 
-// All pieces are done here.
+// All tasks are done here.
 template <class Done>
 class OwnWork : public SharedWork<Done> {
  public:
@@ -109,7 +109,7 @@ class OwnWork : public SharedWork<Done> {
   WorkQueue queue_;
 };
 
-// Counts the pieces of turns. For one thread at a time.
+// Counts the tasks of turns. For one thread at a time.
 class WorkCount {
  public:
   void add(const WorkRange& range) { done_.push_back(range); }

@@ -9,10 +9,10 @@ namespace hottel {
 
 // What a message is.
 enum class Word : int {
-  kWant = 1,    // to rank 0: what was done, and that more is wanted
-  kJob = 2,     // from rank 0: what to prepare
-  kPieces = 3,  // from rank 0: what to do of it
-  kEnd = 4,     // from rank 0: nothing more, with the exit code
+  kWant = 1,   // to rank 0: what was done, and that more is wanted
+  kJob = 2,    // from rank 0: what to prepare
+  kTasks = 3,  // from rank 0: what to do of it
+  kEnd = 4,    // from rank 0: nothing more, with the exit code
 };
 
 struct Message {

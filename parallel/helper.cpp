@@ -33,11 +33,11 @@ class JobAtHand {
   }
   std::string work(MessageReader reader) {
     HOTTEL_REQUIRE(job_ != nullptr);
-    const WorkRange pieces = read_pieces(reader);
+    const WorkRange tasks = read_tasks(reader);
     try {
-      return want_message({id_, Want::kDone, pieces}, job_->work(pieces, reader.rest()));
+      return want_message({id_, Want::kDone, tasks}, job_->work(tasks, reader.rest()));
     } catch (const std::exception&) {
-      return want_message({id_, Want::kUndone, pieces});
+      return want_message({id_, Want::kUndone, tasks});
     }
   }
 

@@ -1,4 +1,4 @@
-// A rank above 0: it does pieces of work for rank 0, and nothing else. It writes no file and prints nothing.
+// A rank above 0: it does tasks of work for rank 0, and nothing else. It writes no file and prints nothing.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@ namespace hottel {
 class HelperJob {
  public:
   virtual ~HelperJob() = default;
-  // Returns what was found, in bytes. told: what rank 0 says of these pieces. Whatever it throws, rank 0 does them.
-  virtual std::string work(const WorkRange& pieces, std::string_view told) = 0;
+  // Returns what was found, in bytes. told: what rank 0 says of these tasks. Whatever it throws, rank 0 does them.
+  virtual std::string work(const WorkRange& tasks, std::string_view told) = 0;
 };
 
 // Makes a job of its bytes; whatever it throws, rank 0 refuses the request and says why.

@@ -40,7 +40,7 @@ LedWork::LedWork(Leader& leader, Job job, std::uint64_t id, int threads)
       job_(std::move(job)),
       id_(id),
       threads_(threads),
-      queue_(job_.pieces, static_cast<std::size_t>(leader.channel_.ranks() * threads)),
+      queue_(job_.tasks, static_cast<std::size_t>(leader.channel_.ranks() * threads)),
       speaker_([this] { speak(); }) {}
 
 LedWork::~LedWork() {
@@ -126,24 +126,24 @@ void LedWork::answer(const Message& message) {
 void LedWork::take_in(int rank, const WantHead& head, std::string bytes) {
   const std::lock_guard lock(mutex_);
   const auto out = out_.find(rank);
-  HOTTEL_REQUIRE(out != out_.end() && out->second == head.pieces);
+  HOTTEL_REQUIRE(out != out_.end() && out->second == head.tasks);
   out_.erase(out);
   if (head.want == Want::kDone)
-    found_.push_back({head.pieces, std::move(bytes)});
+    found_.push_back({head.tasks, std::move(bytes)});
   else
-    queue_.give_back(head.pieces);
+    queue_.give_back(head.tasks);
   changed_.notify_all();
 }
 
 void LedWork::give_more(int rank) {
-  WorkRange pieces;
+  WorkRange tasks;
   {
     const std::lock_guard lock(mutex_);
-    pieces = queue_.take(static_cast<std::size_t>(threads_));
-    if (pieces.is_empty()) return;
-    out_.emplace(rank, pieces);
+    tasks = queue_.take(static_cast<std::size_t>(threads_));
+    if (tasks.is_empty()) return;
+    out_.emplace(rank, tasks);
   }
-  reply(rank, Word::kPieces, pieces_message(pieces, job_.telling ? job_.telling(pieces) : ""));
+  reply(rank, Word::kTasks, tasks_message(tasks, job_.telling ? job_.telling(tasks) : ""));
 }
 
 }  // namespace hottel

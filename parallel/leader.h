@@ -1,4 +1,4 @@
-// Rank 0, which runs the command, deals out pieces of work to all others and gets what they found.
+// Rank 0, which runs the command, deals out tasks of work to all others and gets what they found.
 #pragma once
 
 #include <condition_variable>
@@ -22,21 +22,21 @@ namespace hottel {
 
 // What a helper found, in its own words.
 struct FoundBytes {
-  WorkRange pieces;
+  WorkRange tasks;
   std::string bytes;
 };
 
-// A job in bytes: what a helper prepares; its pieces; what it is told of each range, null where that is
+// A job in bytes: what a helper prepares; its tasks; what it is told of each range, null where that is
 // nothing.
 struct Job {
   std::string bytes;
-  WorkSizes pieces;
+  WorkSizes tasks;
   std::function<std::string(const WorkRange&)> telling = {};
 };
 
 class LedWork;
 
-// Who leads. Helpers ask for work, so none is waited for but one that has pieces in hand.
+// Who leads. Helpers ask for work, so none is waited for but one that has tasks in hand.
 class Leader {
  public:
   // REQUIRES that the channel outlives it.
@@ -57,9 +57,9 @@ class Leader {
   std::vector<char> is_waiting_;  // by rank: has asked for work and has no answer
 };
 
-// Pieces of one job. A thread of its own speaks with the helpers while it lives.
+// Tasks of one job. A thread of its own speaks with the helpers while it lives.
 //
-//   (1) next() and stop() as of SharedWork: each piece is in one turn, whatever helpers do. What a helper could not do
+//   (1) next() and stop() as of SharedWork: each task is in one turn, whatever helpers do. What a helper could not do
 //       is done here
 //   (2) throws RequestError where a helper cannot take part, or has prepared something else; ContractViolation where it
 //       sends what it was not asked for

@@ -18,7 +18,7 @@ namespace hottel {
 
 enum class Fault : unsigned char { kNone, kLost, kTwice };
 
-// Cuts pieces into ranges at random and deals these in a random order, about half of them done elsewhere. A fault is
+// Cuts tasks into ranges at random and deals these in a random order, about half of them done elsewhere. A fault is
 // that the first of those that are done elsewhere is lost, or comes twice.
 template <class Done>
 class ShuffledWork : public SharedWork<Done> {

@@ -16,7 +16,7 @@ class LedSweepWork2 : public SweepWork2 {
     const WorkTurn<FoundBytes> turn = work_->next();
     if (!turn.there) return {.here = turn.here};
     SweptPart2 part = read_part_2(turn.there->bytes);
-    HOTTEL_REQUIRE((WorkRange{part.begin, part.end} == turn.there->pieces));
+    HOTTEL_REQUIRE((WorkRange{part.begin, part.end} == turn.there->tasks));
     return {.there = std::move(part)};
   }
   void stop() override { work_->stop(); }
@@ -29,8 +29,8 @@ class HelperSweepJob2 : public HelperJob {
  public:
   HelperSweepJob2(std::string_view bytes, ReceivedSweepJob2::Kept& kept) : job_(bytes, kept) {}
 
-  std::string work(const WorkRange& pieces, std::string_view told) override {
-    return part_message_2(swept_part(pieces, read_vertices_2(told), job_.prepared->arrangement, *job_.table));
+  std::string work(const WorkRange& tasks, std::string_view told) override {
+    return part_message_2(swept_part(tasks, read_vertices_2(told), job_.prepared->arrangement, *job_.table));
   }
 
  private:
@@ -45,9 +45,9 @@ std::unique_ptr<SweepWork2> LedSweepCrew2::begin(const SweepJob2& job) {
   constexpr std::size_t kLeastAtATime = 64, kMostAtATime = 4096;
   auto work = leader_.begin([&] {
     return Job{.bytes = mark_ + sweep_job_message_2(job),
-               .pieces = {.count = job.order.size(), .least = kLeastAtATime, .most = kMostAtATime},
-               .telling = [order = job.order](const WorkRange& pieces) {
-                 return vertices_message_2(order.subspan(pieces.begin, pieces.size()));
+               .tasks = {.count = job.order.size(), .least = kLeastAtATime, .most = kMostAtATime},
+               .telling = [order = job.order](const WorkRange& tasks) {
+                 return vertices_message_2(order.subspan(tasks.begin, tasks.size()));
                }};
   });
   if (work == nullptr) return nullptr;

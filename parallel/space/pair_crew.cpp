@@ -16,7 +16,7 @@ class LedPairWork3 : public PairWork3 {
     const WorkTurn<FoundBytes> turn = work_->next();
     if (!turn.there) return {.here = turn.here};
     DoneTasks3 done = read_done_3(turn.there->bytes, table_);
-    HOTTEL_REQUIRE(done.tasks == turn.there->pieces);
+    HOTTEL_REQUIRE(done.tasks == turn.there->tasks);
     return {.there = std::move(done)};
   }
   void stop() override { work_->stop(); }
@@ -31,8 +31,8 @@ class HelperPairJob3 : public HelperJob {
   HelperPairJob3(std::string_view bytes, ReceivedPairJob3::Kept& kept)
       : job_(bytes, kept), helper_(*job_.prepared, *job_.table, job_.request) {}
 
-  std::string work(const WorkRange& pieces, std::string_view) override {
-    return done_message_3(helper_.measure(pieces), *job_.table);
+  std::string work(const WorkRange& tasks, std::string_view) override {
+    return done_message_3(helper_.measure(tasks), *job_.table);
   }
 
  private:
@@ -43,7 +43,7 @@ class HelperPairJob3 : public HelperJob {
 }  // namespace
 
 std::unique_ptr<PairWork3> LedPairCrew3::begin(const PairJob3& job) {
-  auto work = leader_.begin([&] { return Job{.bytes = mark_ + pair_job_message_3(job), .pieces = job.tasks}; });
+  auto work = leader_.begin([&] { return Job{.bytes = mark_ + pair_job_message_3(job), .tasks = job.tasks}; });
   if (work == nullptr) return nullptr;
   return std::make_unique<LedPairWork3>(std::move(work), job.table);
 }

@@ -1,4 +1,4 @@
-// Pieces of work that are dealt out.
+// Tasks that are dealt out.
 #include "geometry/shared_work.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace hottel::shared_work_test {
 namespace {
 
 // (1)
-TEST(WorkQueue, DealsEachPieceOnceToAnyNumberOfThreads) {
+TEST(WorkQueue, DealsEachTaskOnceToAnyNumberOfThreads) {
   WorkQueue queue({.count = 100'000, .dear = 37, .most = 64}, 3);
   std::vector<std::vector<WorkRange>> taken(3);
   std::vector<std::thread> threads;
@@ -67,14 +67,14 @@ TEST(WorkCount, HasEachOnceWhereAnObviousCountSaysSo) {
   for (int k = 0; k < 2000; ++k) {
     const std::size_t n = 1 + random() % 6;
     WorkCount count;
-    std::multiset<std::size_t> pieces;
+    std::multiset<std::size_t> tasks;
     for (std::size_t ranges = random() % 5; ranges > 0; --ranges) {
       const std::size_t begin = random() % n, end = begin + 1 + random() % (n - begin);
       count.add({begin, end});
-      for (std::size_t piece = begin; piece < end; ++piece) pieces.insert(piece);
+      for (std::size_t task = begin; task < end; ++task) tasks.insert(task);
     }
     bool is_once = true;
-    for (std::size_t piece = 0; piece < n; ++piece) is_once = is_once && pieces.count(piece) == 1;
+    for (std::size_t task = 0; task < n; ++task) is_once = is_once && tasks.count(task) == 1;
     EXPECT_EQ(count.has_each_once(n), is_once);
   }
 }

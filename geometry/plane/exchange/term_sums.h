@@ -151,7 +151,7 @@ using TermSweep = std::function<void(VertexId, TermBuffer2<Term>&)>;
 //   (3) `counts` grows by what the sweeps counted
 //   (4) with `parts` those that were swept before are not swept again: the same sums, as order does not matter.
 //       REQUIRES that it does not
-//   (5) with `work` others sweep some of the places, which are its pieces: the same sums. Each is swept once: else
+//   (5) with `work` others sweep some of the places, which are its tasks: the same sums. Each is swept once: else
 //       ContractViolation. REQUIRES that order does not matter, and that there are no parts
 //
 // `sweep` is called from several threads at once, for different vertices and with different buffers. `progress` is

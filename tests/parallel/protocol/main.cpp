@@ -26,16 +26,16 @@ void expect(bool is_so, const char* what) {
   ++failures;
 }
 
-// "f": pieces whose number ends in 7 fail. "l": long answers. "c": it cannot take part.
+// "f": tasks whose number ends in 7 fail. "l": long answers. "c": it cannot take part.
 class SquareJob : public HelperJob {
  public:
   explicit SquareJob(std::string_view kind) : kind_(kind) {
     if (kind_ == "c") throw std::runtime_error("it does not want to");
   }
-  std::string work(const WorkRange& pieces, std::string_view told) override {
-    if (told != std::to_string(pieces.begin)) throw std::runtime_error("other words");
+  std::string work(const WorkRange& tasks, std::string_view told) override {
+    if (told != std::to_string(tasks.begin)) throw std::runtime_error("other words");
     MessageWriter writer;
-    for (std::size_t k = pieces.begin; k < pieces.end; ++k) {
+    for (std::size_t k = tasks.begin; k < tasks.end; ++k) {
       if (kind_ == "f" && k % 10 == 7) throw std::runtime_error("it fails");
       writer.put(std::uint64_t{k * k});
     }
@@ -54,8 +54,8 @@ class SquareJobs : public HelperJobs {
 constexpr std::size_t kCount = 2000;
 
 Job job_of(const std::string& kind) {
-  return {.bytes = kind, .pieces = {.count = kCount, .dear = 20, .most = 50}, .telling = [](const WorkRange& pieces) {
-            return std::to_string(pieces.begin);
+  return {.bytes = kind, .tasks = {.count = kCount, .dear = 20, .most = 50}, .telling = [](const WorkRange& tasks) {
+            return std::to_string(tasks.begin);
           }};
 }
 
@@ -69,16 +69,16 @@ std::size_t square_all(Leader& leader, const std::string& kind) {
   for (auto turn = work->next(); !turn.is_over(); turn = work->next()) {
     if (turn.there) {
       MessageReader reader(turn.there->bytes);
-      for (std::size_t k = turn.there->pieces.begin; k < turn.there->pieces.end; ++k)
+      for (std::size_t k = turn.there->tasks.begin; k < turn.there->tasks.end; ++k)
         expect(reader.take<std::uint64_t>() == k * k, "squares come with their numbers");
-      elsewhere += turn.there->pieces.size();
-      count.add(turn.there->pieces);
+      elsewhere += turn.there->tasks.size();
+      count.add(turn.there->tasks);
     } else {
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
       count.add(turn.here);
     }
   }
-  expect(count.has_each_once(kCount), "each piece is done once");
+  expect(count.has_each_once(kCount), "each task is done once");
   return elsewhere;
 }
 
