@@ -250,6 +250,21 @@ ExitCode Commands::parse_and_run(int argc, const char* const* argv) {
   return chosen_(streams);
 }
 
+void add_all_commands(Commands& commands) {
+  add_solve(commands);
+  add_plan(commands);
+  add_factors(commands);
+  add_visibility(commands);
+  add_check(commands);
+  add_compare(commands);
+  add_reference(commands);
+  add_generate(commands);
+  add_convert(commands);
+  add_view(commands);
+  add_animate(commands);
+  add_store(commands);
+}
+
 int Commands::run(int argc, const char* const* argv) noexcept {
   try {
     install_signal_handlers();

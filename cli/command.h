@@ -1,7 +1,7 @@
 // How a command joins the program `hottel`.
 //
-// A command NAME is one file cli/NAME.cpp with one function, add_NAME, declared here and called in main.cpp; nothing
-// else in the program knows the command or its options:
+// A command NAME is one file cli/NAME.cpp with one function, add_NAME, declared here and called in add_all_commands();
+// nothing else in the program knows the command or its options:
 //
 //   struct ConvertOptions { std::string in, out; };
 //
@@ -64,6 +64,9 @@ class Commands {
   CLI::App& add(const std::string& name, const std::string& summary, const std::vector<std::string>& examples,
                 std::function<ExitCode(Streams&)> run);
 
+  // How many threads may work where --threads is not given. REQUIRES threads >= 1.
+  void set_threads(int threads) { threads_ = threads; }
+
   // Parses the command line, runs the command and returns the exit code of the program. Does not throw.
   int run(int argc, const char* const* argv) noexcept;
 
@@ -90,5 +93,7 @@ void add_convert(Commands& commands);
 void add_view(Commands& commands);
 void add_store(Commands& commands);
 void add_animate(Commands& commands);
+// Adds them all.
+void add_all_commands(Commands& commands);
 
 }  // namespace hottel

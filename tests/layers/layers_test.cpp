@@ -23,8 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Each layer may include itself and those before it. The last two are doors, which know nothing of each other.
-constexpr std::array<const char*, 7> kLayers{"kernel", "geometry", "solver", "io", "viewer", "cli", "python"};
+// Each layer may include itself and those before it. The program and the module are doors, which know nothing of each
+// other; several processes run the commands of the program.
+constexpr std::array<const char*, 8> kLayers{"kernel", "geometry", "solver", "io",
+                                             "viewer", "cli",      "python", "parallel"};
 constexpr std::size_t kMostCgalUnits = 5;
 
 std::optional<std::size_t> layer_of(const fs::path& path) {
@@ -57,6 +59,7 @@ std::string slice_of(const fs::path& path) {
 
 // Files that have to know every dimension: doors, and the readers and writers of scenes of either.
 bool serves_both(const fs::path& file) {
+  if (file == "parallel/main.cpp" || file.string().starts_with("parallel/scene_message")) return true;
   return *file.begin() == "cli" || *file.begin() == "python" || file.string().starts_with("io/scene/scene_json");
 }
 
@@ -67,7 +70,9 @@ std::string problem(const fs::path& file, const Include& include) {
     const auto other = layer_of(include.path);
     if (!other) return "is not written from the root";
     if (*other > *layer) return "goes upwards";
-    if (*file.begin() == "python" && *fs::path(include.path).begin() == "cli") return "goes through the program";
+    const std::string to_layer = fs::path(include.path).begin()->string();
+    if (*file.begin() == "python" && to_layer == "cli") return "goes through the program";
+    if (*file.begin() == "parallel" && to_layer == "python") return "goes through the module";
     const std::string from = slice_of(file), to = slice_of(include.path);
     if (!from.empty() && !to.empty() && from != to) return "goes from " + from + " to " + to;
     if (from.empty() && !to.empty() && !serves_both(file)) return "has no dimension and knows the " + to;
@@ -348,6 +353,15 @@ TEST(Layers, OneFileKnowsSdl) {
   EXPECT_THAT(files, testing::ElementsAre("viewer/window/sdl_window.cpp"));
 }
 
+TEST(Layers, OneFileKnowsMpi) {
+  std::set<std::string> files;
+  for (const Source& source : product_sources())
+    if (std::any_of(source.includes.begin(), source.includes.end(),
+                    [](const Include& include) { return fs::path(include.path).filename() == "mpi.h"; }))
+      files.insert(source.path.string());
+  EXPECT_THAT(files, testing::ElementsAre("parallel/channel.cpp"));
+}
+
 TEST(Layers, TheOracleKnowsNothingOfTheKernel) {
   // The brute force is a second opinion: it may share plain structs and nothing that computes.
   const fs::path folder = fs::path(HOTTEL_SOURCE_DIR) / "tests/oracle";
@@ -371,6 +385,10 @@ TEST(Layers, TheCheckSeesWhatItForbids) {
   EXPECT_EQ(problem("python/bindings/a.cpp", {"geometry/plane/scene/scene.h", true}), "");
   EXPECT_EQ(problem("python/bindings/a.cpp", {"cli/command.h", true}), "goes through the program");
   EXPECT_EQ(problem("cli/a.cpp", {"python/bindings/scene.h", true}), "goes upwards");
+  EXPECT_EQ(problem("cli/a.cpp", {"parallel/leader.h", true}), "goes upwards");
+  EXPECT_EQ(problem("parallel/a.cpp", {"cli/command.h", true}), "");
+  EXPECT_EQ(problem("parallel/a.cpp", {"python/bindings/scene.h", true}), "goes through the module");
+  EXPECT_EQ(problem("parallel/a.cpp", {"geometry/plane/scene/scene.h", true}), "has no dimension and knows the plane");
   EXPECT_EQ(problem("io/a.cpp", {"b.h", true}), "is not written from the root");
   EXPECT_EQ(problem("geometry/a.h", {"CGAL/Arrangement_2.h", false}), "brings CGAL into a header");
   EXPECT_EQ(problem("geometry/a.h", {"kernel/kernels.h", true}), "brings CGAL into a header");

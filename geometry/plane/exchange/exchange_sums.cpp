@@ -51,9 +51,9 @@ PairSums2 sum_visible_pairs(const Arrangement2& arrangement, const ElementTable2
 
 PairSums2 sum_pairs_about(std::span<const VertexId> order, const Arrangement2& arrangement, const ElementTable2& table,
                           const std::function<void(double)>& progress, std::uint64_t most_pairs, SumCounts2& counts,
-                          SweepParts2* parts) {
+                          SweepParts2* parts, SharedWork<SweptPart2>* work) {
   const std::size_t label_count = table.covered() + 1;
-  return {sum_terms<PairSum2>(order, label_count, Sweep(arrangement, table), progress, most_pairs, counts, parts),
+  return {sum_terms<PairSum2>(order, label_count, Sweep(arrangement, table), progress, most_pairs, counts, parts, work),
           table.count()};
 }
 

@@ -30,10 +30,10 @@ PairSums2 sum_visible_pairs(const Arrangement2& arrangement, const ElementTable2
                             SweepParts2* parts = nullptr);
 
 // The same of the gaps that start at some vertices alone: where each of the swept_vertices() is in one call, the sums
-// of all calls add up to those of all. parts: as of sum_terms(), in this order.
+// of all calls add up to those of all. parts, work: as of sum_terms(), in this order.
 PairSums2 sum_pairs_about(std::span<const VertexId> order, const Arrangement2& arrangement, const ElementTable2& table,
                           const std::function<void(double)>& progress, std::uint64_t most_pairs, SumCounts2& counts,
-                          SweepParts2* parts = nullptr);
+                          SweepParts2* parts = nullptr, SharedWork<SweptPart2>* work = nullptr);
 
 // What a visible pair takes in memory at the most, from the sums to the matrix, in bytes (measured on clutter with
 // backs, where both directions have a row; benchmarks/factors).

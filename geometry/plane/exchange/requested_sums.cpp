@@ -2,9 +2,12 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "geometry/plane/exchange/convex_sums.h"
 #include "geometry/plane/exchange/exchange_sums.h"
+#include "geometry/plane/exchange/sweep_crew.h"
+#include "geometry/plane/exchange/swept_vertices.h"
 #include "geometry/plane/prepared/element_table.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
@@ -32,6 +35,16 @@ std::uint64_t most_pairs(const PreparedScene2& prepared, const ElementTable2& ta
   return most;
 }
 
+// Here alone, or with others where there are no parts.
+PairSums2 sweep(const PreparedScene2& prepared, const ElementTable2& table, const ExchangeRequest& request,
+                std::uint64_t most, SumCounts2& counts, SweepParts2* parts) {
+  SweepCrew2* const crew = parts == nullptr ? sweep_crew_2() : nullptr;
+  if (crew == nullptr) return sum_visible_pairs(prepared.arrangement, table, request.progress, most, counts, parts);
+  const std::vector<VertexId> order = swept_vertices(prepared.arrangement, table);
+  const auto work = crew->begin({prepared, request.granularity, table, order});
+  return sum_pairs_about(order, prepared.arrangement, table, request.progress, most, counts, nullptr, work.get());
+}
+
 }  // namespace
 
 bool sweeps(const PreparedScene2& prepared, const ExchangeRequest& request) {
@@ -43,9 +56,8 @@ PairSums2 requested_sums(const PreparedScene2& prepared, const ElementTable2& ta
   Stopwatch watch;
   const std::uint64_t most = most_pairs(prepared, table, request, bytes_per_pair);
   SumCounts2 counts;
-  PairSums2 sums = sweeps(prepared, request)
-                       ? sum_visible_pairs(prepared.arrangement, table, request.progress, most, counts, parts)
-                       : sum_convex_pairs(prepared.arrangement, table);
+  PairSums2 sums = sweeps(prepared, request) ? sweep(prepared, table, request, most, counts, parts)
+                                             : sum_convex_pairs(prepared.arrangement, table);
   report.seconds[sweeps(prepared, request) ? "sweep" : "strings"] = watch.lap();
   report.gaps = counts.gaps;
   report.terms = counts.updates;

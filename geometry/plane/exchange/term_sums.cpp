@@ -49,12 +49,27 @@ class Outboxes {
   std::mutex mutex_;
 };
 
+// Adds parts that were swept elsewhere or before. shift: of the partitions.
+template <class Term>
+void add_parts(std::span<const SweptPart<Term>> parts, int shift, std::vector<PairTable<Term>>& tables,
+               SumCounts2& counts) {
+  for (const SweptPart<Term>& part : parts) {
+    counts.gaps += part.counts.gaps;
+    counts.updates += part.counts.updates;
+  }
+  parallel_for(tables.size(), [&](std::size_t k) {
+    const auto partition = [shift](const Term& term) { return term.key >> (32 + shift); };
+    for (const SweptPart<Term>& part : parts)
+      tables[k].add(std::span(std::ranges::lower_bound(part.sums, k, {}, partition),
+                              std::ranges::upper_bound(part.sums, k, {}, partition)));
+  });
+}
+
 // The part of a sweep that is in hand, summed beside the whole, and those from before.
 template <class Term>
 class PartsInHand {
  public:
-  PartsInHand(SweepParts<Term>* parts, std::size_t places, std::size_t partitions, int shift)
-      : parts_(parts), places_(places), shift_(shift) {
+  PartsInHand(SweepParts<Term>* parts, std::size_t places, std::size_t partitions) : parts_(parts), places_(places) {
     if (parts == nullptr) return;
     HOTTEL_REQUIRE(!Term::kOrderMatters);
     tables_.resize(partitions);
@@ -65,21 +80,6 @@ class PartsInHand {
       if (part.begin < end || part.begin >= part.end || part.end > places) return true;
       end = part.end;
       return false;
-    });
-  }
-
-  // Adds what was swept before.
-  void add_before(std::vector<PairTable<Term>>& tables, SumCounts2& counts) const {
-    if (parts_ == nullptr) return;
-    for (const SweptPart<Term>& part : parts_->before) {
-      counts.gaps += part.counts.gaps;
-      counts.updates += part.counts.updates;
-    }
-    parallel_for(tables.size(), [&](std::size_t k) {
-      const auto partition = [this](const Term& term) { return term.key >> (32 + shift_); };
-      for (const SweptPart<Term>& part : parts_->before)
-        tables[k].add(std::span(std::ranges::lower_bound(part.sums, k, {}, partition),
-                                std::ranges::upper_bound(part.sums, k, {}, partition)));
     });
   }
 
@@ -141,7 +141,6 @@ class PartsInHand {
  private:
   SweepParts<Term>* parts_;  // null: none are asked for
   std::size_t places_;
-  int shift_;
   std::vector<PairTable<Term>> tables_;
   std::size_t begin_ = 0, end_ = 0;
   SumCounts2 now_, told_;
@@ -154,7 +153,9 @@ class PartsInHand {
 template <class Term>
 std::vector<std::vector<Term>> sum_terms(std::span<const VertexId> order, std::size_t labels,
                                          const TermSweep<Term>& sweep, const std::function<void(double)>& progress,
-                                         std::uint64_t most_pairs, SumCounts2& counts, SweepParts<Term>* parts) {
+                                         std::uint64_t most_pairs, SumCounts2& counts, SweepParts<Term>* parts,
+                                         SharedWork<SweptPart<Term>>* work) {
+  HOTTEL_REQUIRE(work == nullptr || (!Term::kOrderMatters && parts == nullptr));
   // So many that the table of one stays in the cache with millions of pairs, so few that a small scene has few tables.
   constexpr std::size_t kPartitions = 256;
   int partition_shift = 5;  // 32 labels and more share a table
@@ -166,8 +167,8 @@ std::vector<std::vector<Term>> sum_terms(std::span<const VertexId> order, std::s
   // flight near kTermsInFlight, judged by the round before.
   constexpr std::size_t kTermsInFlight = 1 << 19;
   Outboxes<Term> buffers(TermBuffer2<Term>(partitions, partition_shift));
-  PartsInHand<Term> in_hand(parts, order.size(), partitions, partition_shift);
-  in_hand.add_before(tables, counts);
+  PartsInHand<Term> in_hand(parts, order.size(), partitions);
+  if (parts != nullptr) add_parts<Term>(parts->before, partition_shift, tables, counts);
   const auto counted = [&buffers] {
     SumCounts2 all;
     for (const TermBuffer2<Term>& out : buffers.all()) {
@@ -175,6 +176,13 @@ std::vector<std::vector<Term>> sum_terms(std::span<const VertexId> order, std::s
       all.updates += out.updates;
     }
     return all;
+  };
+  const auto require_room = [&] {
+    std::uint64_t pairs = 0;
+    for (const auto& table : tables) pairs += table.size();
+    if (pairs > most_pairs)
+      throw RequestError(fmt::format(
+          "the scene has more than {} visible pairs, which is all that the memory allowed holds", most_pairs));
   };
   const auto sweep_round = [&](std::size_t begin, std::size_t size) {
     parallel_for(kRuns, [&](std::size_t run) {
@@ -194,23 +202,46 @@ std::vector<std::vector<Term>> sum_terms(std::span<const VertexId> order, std::s
       }
     });
     in_hand.have_swept(begin + size, counted());
-    std::uint64_t pairs = 0;
-    for (const auto& table : tables) pairs += table.size();
-    if (pairs > most_pairs)
-      throw RequestError(fmt::format(
-          "the scene has more than {} visible pairs, which is all that the memory allowed holds", most_pairs));
+    require_room();
     return in_flight;
   };
-  try {
-    std::size_t round = 64;
-    for (std::size_t begin = in_hand.next(0); begin < order.size();) {
-      const std::size_t size = std::min(round, in_hand.end(begin) - begin);
+  std::size_t swept = 0, round = 64;
+  const auto have = [&](std::size_t places) {
+    swept += places;
+    if (progress) progress(static_cast<double>(swept) / static_cast<double>(order.size()));
+  };
+  const auto sweep_places = [&](const WorkRange& places) {
+    have(in_hand.next(places.begin) - places.begin);
+    for (std::size_t begin = in_hand.next(places.begin); begin < places.end;) {
+      const std::size_t size = std::min({round, in_hand.end(begin) - begin, places.end - begin});
       const std::size_t in_flight = sweep_round(begin, size);
-      begin = in_hand.next(begin + size);
+      const std::size_t next = in_hand.next(begin + size);
       round = std::clamp<std::size_t>(round * kTermsInFlight / (in_flight + 1), std::max<std::size_t>(16, round / 4),
                                       4 * round);
-      if (progress) progress(static_cast<double>(begin) / static_cast<double>(order.size()));
+      have(next - begin);
+      begin = next;
     }
+  };
+  const auto sweep_with_others = [&] {
+    WorkCount done;
+    for (auto turn = work->next(); !turn.is_over(); turn = work->next()) {
+      if (turn.there) {
+        add_parts<Term>(std::span(&*turn.there, 1), partition_shift, tables, counts);
+        require_room();
+        have(turn.there->end - turn.there->begin);
+        done.add({turn.there->begin, turn.there->end});
+      } else {
+        sweep_places(turn.here);
+        done.add(turn.here);
+      }
+    }
+    HOTTEL_REQUIRE(done.has_each_once(order.size()));
+  };
+  try {
+    if (work == nullptr)
+      sweep_places({0, order.size()});
+    else
+      sweep_with_others();
   } catch (...) {
     in_hand.hand_on_before_failure();
     throw;
@@ -226,10 +257,11 @@ std::vector<std::vector<Term>> sum_terms(std::span<const VertexId> order, std::s
 
 template std::vector<std::vector<PairSum2>> sum_terms(std::span<const VertexId>, std::size_t,
                                                       const TermSweep<PairSum2>&, const std::function<void(double)>&,
-                                                      std::uint64_t, SumCounts2&, SweepParts<PairSum2>*);
+                                                      std::uint64_t, SumCounts2&, SweepParts<PairSum2>*,
+                                                      SharedWork<SweptPart<PairSum2>>*);
 template std::vector<std::vector<PlainTerm2>> sum_terms(std::span<const VertexId>, std::size_t,
                                                         const TermSweep<PlainTerm2>&,
                                                         const std::function<void(double)>&, std::uint64_t, SumCounts2&,
-                                                        SweepParts<PlainTerm2>*);
+                                                        SweepParts<PlainTerm2>*, SharedWork<SweptPart<PlainTerm2>>*);
 
 }  // namespace hottel

@@ -9,6 +9,7 @@
 
 #include "geometry/pair_table.h"
 #include "geometry/plane/predicates/vertices.h"
+#include "geometry/shared_work.h"
 #include "kernel/int128.h"
 #include "kernel/rounding.h"
 
@@ -150,6 +151,8 @@ using TermSweep = std::function<void(VertexId, TermBuffer2<Term>&)>;
 //   (3) `counts` grows by what the sweeps counted
 //   (4) with `parts` those that were swept before are not swept again: the same sums, as order does not matter.
 //       REQUIRES that it does not
+//   (5) with `work` others sweep some of the places, which are its tasks: the same sums. Each is swept once: else
+//       ContractViolation. REQUIRES that order does not matter, and that there are no parts
 //
 // `sweep` is called from several threads at once, for different vertices and with different buffers. `progress` is
 // called from time to time, on the calling thread, with the fraction done; it may throw to stop.
@@ -160,15 +163,18 @@ template <class Term>
 std::vector<std::vector<Term>> sum_terms(std::span<const VertexId> order, std::size_t labels,
                                          const TermSweep<Term>& sweep, const std::function<void(double)>& progress,
                                          std::uint64_t most_pairs, SumCounts2& counts,
-                                         SweepParts<Term>* parts = nullptr);
+                                         SweepParts<Term>* parts = nullptr,
+                                         SharedWork<SweptPart<Term>>* work = nullptr);
 
 extern template std::vector<std::vector<PairSum2>> sum_terms(std::span<const VertexId>, std::size_t,
                                                              const TermSweep<PairSum2>&,
                                                              const std::function<void(double)>&, std::uint64_t,
-                                                             SumCounts2&, SweepParts<PairSum2>*);
+                                                             SumCounts2&, SweepParts<PairSum2>*,
+                                                             SharedWork<SweptPart<PairSum2>>*);
 extern template std::vector<std::vector<PlainTerm2>> sum_terms(std::span<const VertexId>, std::size_t,
                                                                const TermSweep<PlainTerm2>&,
                                                                const std::function<void(double)>&, std::uint64_t,
-                                                               SumCounts2&, SweepParts<PlainTerm2>*);
+                                                               SumCounts2&, SweepParts<PlainTerm2>*,
+                                                               SharedWork<SweptPart<PlainTerm2>>*);
 
 }  // namespace hottel

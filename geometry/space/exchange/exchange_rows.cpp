@@ -277,6 +277,7 @@ void ExchangeRows3::measure(const PairTurn3& turn, const std::function<void(doub
                               .most_pairs = most_ - std::min<std::uint64_t>(most_, pairs_.size()),
                               .progress = progress,
                               .turn = &turn,
+                              .shared = request_.granularity,
                               .sink = sink_,
                               .between = between_},
                              counts);

@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "geometry/element.h"
 #include "geometry/pair_ranges.h"
 #include "geometry/space/exchange/exchange_report.h"
 #include "geometry/space/prepared/element_table.h"
@@ -69,6 +71,7 @@ struct PairSumRequest3 {
   std::uint64_t most_pairs = std::numeric_limits<std::uint64_t>::max();  // beyond: RequestError
   std::function<void(double)> progress = {};  // fraction done, from any thread; may throw to stop
   const PairTurn3* turn = nullptr;            // these pairs alone; null: all
+  std::optional<Granularity> shared = {};     // of the table; where it is told PairCrew3 may take part
   PairSink3 sink = {};                        // gets pairs that are done; before a failure or a stop, all of them
   std::chrono::duration<double> between{2};   // the time between its calls
 };

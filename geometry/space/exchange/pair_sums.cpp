@@ -5,6 +5,7 @@
 #include <cmath>
 #include <exception>
 #include <iterator>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <random>
@@ -14,6 +15,7 @@
 #include <utility>
 
 #include "geometry/space/exchange/facing.h"
+#include "geometry/space/exchange/pair_crew.h"
 #include "geometry/space/exchange/pair_handover.h"
 #include "geometry/space/exchange/pair_shares.h"
 #include "geometry/space/exchange/pair_tasks.h"
@@ -299,6 +301,17 @@ void keep_worst(std::vector<FailedPair3>& failures) {
                  failures.end());
 }
 
+// Here alone, or with others.
+std::unique_ptr<PairWork3> begin_work(const PreparedScene3& prepared, const ElementTable3& table,
+                                      const PairSumRequest3& request, const Tasks& tasks) {
+  constexpr std::size_t kMostAtATime = 4096;  // what is found of them is some megabytes
+  const WorkSizes sizes{.count = tasks.count(), .dear = tasks.with_sky(), .most = kMostAtATime};
+  PairCrew3* const crew = request.shared ? pair_crew_3() : nullptr;
+  if (crew != nullptr)
+    if (auto work = crew->begin({prepared, *request.shared, table, request, sizes})) return work;
+  return std::make_unique<OwnWork<DoneTasks3>>(sizes, static_cast<std::size_t>(threads_allowed()));
+}
+
 // Before a failure, which is told whatever comes of it.
 void hand_over_before(PairHandover3& handover) {
   try {
@@ -351,30 +364,57 @@ PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, 
   std::mutex together;
   std::optional<PairHandover3> handover;
   if (request.sink) handover.emplace(table, labels, tasks, request, found);
-  const auto measure_all = [&](std::size_t begin, std::size_t end) {
+  const std::unique_ptr<PairWork3> work = begin_work(prepared, table, request, tasks);
+  WorkCount done;
+  const auto have = [&](std::size_t t, Found some) {
+    some.pairs.shrink_to_fit();
+    some.open.shrink_to_fit();
+    const std::size_t more = some.pairs.size() + some.open.size();
+    found.put(t, std::move(some));
+    if (handover) handover->has_done(t);
+    if (found_pairs.fetch_add(more, std::memory_order_relaxed) + more > request.most_pairs)
+      throw RequestError("more than " + std::to_string(request.most_pairs) +
+                         " pairs see each other: they need more memory than is allowed");
+    progress.add();
+  };
+  const auto measure_some = [&] {
     ExchangeReport3 counts;
-    for (std::size_t t = begin; t < end; ++t) {
-      Found some;
-      measuring.run(tasks[t], some, counts);
-      some.pairs.shrink_to_fit();
-      some.open.shrink_to_fit();
-      const std::size_t more = some.pairs.size() + some.open.size();
-      found.put(t, std::move(some));
-      if (handover) handover->has_done(t);
-      if (found_pairs.fetch_add(more, std::memory_order_relaxed) + more > request.most_pairs)
-        throw RequestError("more than " + std::to_string(request.most_pairs) +
-                           " pairs see each other: they need more memory than is allowed");
-      progress.add();
+    WorkCount mine;
+    for (WorkTurn<DoneTasks3> turn = work->next(); !turn.is_over(); turn = work->next()) {
+      const WorkRange& range = turn.there ? turn.there->tasks : turn.here;
+      if (turn.there) {
+        add_counts(counts, turn.there->counts);
+        auto some = turn.there->found.begin();
+        const auto end = turn.there->found.end();
+        for (std::size_t t = range.begin; t < range.end; ++t)
+          have(t, some != end && some->first == t ? std::move((some++)->second) : Found());
+      } else {
+        for (std::size_t t = range.begin; t < range.end; ++t) {
+          Found some;
+          measuring.run(tasks[t], some, counts);
+          have(t, std::move(some));
+        }
+      }
+      mine.add(range);
     }
     const std::lock_guard lock(together);
     add_counts(report, counts);
+    done.add(mine);
   };
   try {
-    parallel_ranges(tasks.count(), 1, measure_all);
+    parallel_for(static_cast<std::size_t>(threads_allowed()), [&](std::size_t) {
+      try {
+        measure_some();
+      } catch (...) {
+        work->stop();
+        throw;
+      }
+    });
   } catch (...) {
     if (handover) hand_over_before(*handover);
     throw;
   }
+  HOTTEL_REQUIRE(done.has_each_once(tasks.count()));
   if (handover) handover->hand_over();
 
   // What has not been handed over: everything, or pairs that are open.
@@ -405,6 +445,38 @@ PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, 
                      [](const PairSum3& a, const PairSum3& b) { return key_of(a) < key_of(b); });
   result.pairs = std::move(handed);
   return result;
+}
+
+struct PairHelper3::Inside {
+  PairSumRequest3 request;
+  Measuring measuring;
+
+  Inside(const PreparedScene3& prepared, const ElementTable3& table, const PairSumRequest3& its)
+      : request(its), measuring(prepared, table, request) {}
+};
+
+PairHelper3::PairHelper3(const PreparedScene3& prepared, const ElementTable3& table, const PairSumRequest3& request)
+    : inside_(std::make_unique<const Inside>(prepared, table, request)) {}
+PairHelper3::~PairHelper3() = default;
+
+std::size_t PairHelper3::tasks() const { return inside_->measuring.tasks().count(); }
+
+DoneTasks3 PairHelper3::measure(const WorkRange& tasks) const {
+  HOTTEL_REQUIRE(tasks.begin <= tasks.end && tasks.end <= this->tasks());
+  const Measuring& measuring = inside_->measuring;
+  std::vector<Found> found(tasks.size());
+  DoneTasks3 done{.tasks = tasks, .found = {}};
+  std::mutex together;
+  parallel_ranges(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
+    ExchangeReport3 counts;
+    for (std::size_t k = begin; k < end; ++k) measuring.run(measuring.tasks()[tasks.begin + k], found[k], counts);
+    const std::lock_guard lock(together);
+    add_counts(done.counts, counts);
+  });
+  for (std::size_t k = 0; k < found.size(); ++k)
+    if (!found[k].pairs.empty() || !found[k].open.empty())
+      done.found.emplace_back(tasks.begin + k, std::move(found[k]));
+  return done;
 }
 
 std::uint64_t estimated_pairs(const PreparedScene3& prepared, const ElementTable3& table) {

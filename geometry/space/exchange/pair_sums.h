@@ -20,6 +20,7 @@ namespace hottel {
 //   (6) each pair of patches has its share of the tolerance (PairShares3). Where one could not be held, more is tried
 //       only if all patches of both elements together are not within the tolerance; if they are not then either, the
 //       pair has failed, and is told once
+//   (7) the same bit for bit whoever takes part (PairCrew3). Each task is done once: else ContractViolation
 //
 // Throws Interrupted where it is asked to stop.
 // COST: parallel; that of measuring each pair of faces that face each other, and 50 ns for each other pair.

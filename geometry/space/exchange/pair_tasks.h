@@ -38,6 +38,8 @@ class PairTasks3 {
   }
 
   std::size_t count() const { return first_.back(); }
+  // How many of them, the first ones, are of patches with the sky.
+  std::size_t with_sky() const { return with_sky_.size(); }
   PairTask3 operator[](std::size_t task) const {
     if (task < with_sky_.size()) return {with_sky_[task], sky_begin_, table_.parts().size()};
     const auto after = std::upper_bound(first_.begin(), first_.end(), task);

@@ -1,0 +1,96 @@
+// Rank 0, which runs the command, deals out tasks of work to all others and gets what they found.
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <exception>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "geometry/shared_work.h"
+#include "parallel/channel.h"
+#include "parallel/words.h"
+
+namespace hottel {
+
+// What a helper found, in its own words.
+struct FoundBytes {
+  WorkRange tasks;
+  std::string bytes;
+};
+
+// A job in bytes: what a helper prepares; its tasks; what it is told of each range, null where that is
+// nothing.
+struct Job {
+  std::string bytes;
+  WorkSizes tasks;
+  std::function<std::string(const WorkRange&)> telling = {};
+};
+
+class LedWork;
+
+// Who leads. Helpers ask for work, so none is waited for but one that has tasks in hand.
+class Leader {
+ public:
+  // REQUIRES that the channel outlives it.
+  explicit Leader(Channel& channel);
+
+  // Begins to share the job that is made, with as many threads of each helper as may work here; null where there are no
+  // helpers, or they have another job. From any thread.
+  std::unique_ptr<LedWork> begin(const std::function<Job()>& make);
+  // Sends the helpers home with an exit code, each after what it does now. REQUIRES that no work is there; once.
+  void end(int code);
+
+ private:
+  friend class LedWork;
+  Channel& channel_;
+  std::mutex together_;
+  bool is_busy_ = false;
+  std::uint64_t jobs_ = 0;
+  std::vector<char> is_waiting_;  // by rank: has asked for work and has no answer
+};
+
+// Tasks of one job. A thread of its own speaks with the helpers while it lives.
+//
+//   (1) next() and stop() as of SharedWork: each task is in one turn, whatever helpers do. What a helper could not do
+//       is done here
+//   (2) throws RequestError where a helper cannot take part, or has prepared something else; ContractViolation where it
+//       sends what it was not asked for
+class LedWork : public SharedWork<FoundBytes> {
+ public:
+  LedWork(Leader& leader, Job job, std::uint64_t id, int threads);
+  ~LedWork() override;
+
+  WorkTurn<FoundBytes> next() override;
+  void stop() override;
+
+ private:
+  void speak();
+  void answer(const Message& message);
+  void take_in(int rank, const WantHead& head, std::string bytes);
+  void give_more(int rank);
+  void reply(int rank, Word word, const std::string& bytes);
+  std::string job_message() const;
+
+  Leader& leader_;
+  const Job job_;
+  const std::uint64_t id_;
+  const int threads_;
+  WorkQueue queue_;
+  std::mutex mutex_;  // of what follows
+  std::condition_variable changed_;
+  std::map<int, WorkRange> out_;  // by rank: what it has in hand
+  std::deque<FoundBytes> found_;
+  std::exception_ptr failure_;
+  bool is_over_ = false;
+  std::thread speaker_;  // last: it uses the others
+};
+
+}  // namespace hottel

@@ -1,0 +1,56 @@
+// The program `hottel-mpi`: the same as `hottel`, whose view factors several processes compute.
+#include <algorithm>
+#include <memory>
+
+#include "cli/command.h"
+#include "kernel/support/parallel.h"
+#include "parallel/channel.h"
+#include "parallel/helper.h"
+#include "parallel/leader.h"
+#include "parallel/plane/sweep_crew.h"
+#include "parallel/space/pair_crew.h"
+
+namespace hottel {
+namespace {
+
+constexpr char kPlane = '2', kSpace = '3';
+
+// Jobs of either dimension.
+class AllJobs : public HelperJobs {
+ public:
+  std::unique_ptr<HelperJob> make(std::string_view bytes) override {
+    HelperJobs& jobs = bytes.front() == kPlane ? plane_ : static_cast<HelperJobs&>(space_);
+    return jobs.make(bytes.substr(1));
+  }
+
+ private:
+  SweepJobs2 plane_;
+  PairJobs3 space_;
+};
+
+int lead(Channel& channel, int argc, const char* const* argv) {
+  Leader leader(channel);
+  LedSweepCrew2 plane(leader, kPlane);
+  LedPairCrew3 space(leader, kSpace);
+  int code = 0;
+  {
+    const SweepCrewScope2 in_the_plane(plane);
+    const PairCrewScope3 in_space(space);
+    Commands commands;
+    add_all_commands(commands);
+    commands.set_threads(std::max(1, threads_allowed() / channel.ranks_on_these_cores()));
+    code = commands.run(argc, argv);
+  }
+  leader.end(code);
+  return code;
+}
+
+}  // namespace
+}  // namespace hottel
+
+int main(int argc, char** argv) {
+  hottel::Channel channel(argc, argv);
+  if (channel.rank() == 0) return hottel::lead(channel, argc, argv);
+  hottel::AllJobs jobs;
+  return hottel::help(channel, jobs);
+}
