@@ -75,7 +75,7 @@ void picture(benchmark::State& state, const Scene2& scene) {
   const auto cells = static_cast<std::uint32_t>(state.range(0));
   constexpr std::uint32_t kSide = 1024;
   Scene2 without_grid = scene;
-  without_grid.grid.reset();
+  without_grid.grids.clear();
   IlluminationGrid2 grid{grid_over(without_grid, cells, cells), 1, {}};
   for (std::uint32_t k = 0; k < cells * cells; ++k) grid.values.push_back(k % 7);
   for (auto _ : state) {

@@ -22,7 +22,7 @@ Scene2 with_large_form(Scene2 scene) {
     turn(edge.from);
     turn(edge.to);
   }
-  scene.grid.reset();
+  scene.grids.clear();
   return scene;
 }
 

@@ -36,7 +36,7 @@ void grid(benchmark::State& state, Light light, const Scene2& scene, std::uint32
   const FaceRadiosity2 faces(prepared.arrangement, table, radiosity, sky);
   const SentOut2 sent_out(table, radiosity, sky);
   Scene2 without_grid = scene;
-  without_grid.grid.reset();
+  without_grid.grids.clear();
   const Grid2 cells = grid_over(without_grid, side, side);
   double max_error = 0;
   for (auto _ : state) {

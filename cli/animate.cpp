@@ -88,7 +88,8 @@ struct Plane {
       throw UsageError("--tolerance is for scenes in space: in the plane every factor is correctly rounded");
     options.guarantee.refuse_in_plane();
     if (options.shading != "flat") throw UsageError("--shading is for scenes in space");
-    SimulationRequest2 request{.grid = grid_of(scene, options.grid), .keeps_rows = !options.levels.levels().is_any()};
+    SimulationRequest2 request{.grid = grids_of(scene, options.grid).front(),
+                               .keeps_rows = !options.levels.levels().is_any()};
     request.method = all_methods_2().make(options.method);
     request.memory = options.memory.value_or(0);
     request.store = std::move(store);
@@ -347,7 +348,9 @@ void add_animate(Commands& commands) {
   options->elements.add_to(command);
   options->polygons.add_to(command);
   options->store.add_to(command);
-  command.add_option("--grid", options->grid, "in the plane: cells of the illumination over the scene's region")
+  command
+      .add_option("--grid", options->grid,
+                  "in the plane: cells of the illumination, over the scene's first grid or its region")
       ->type_name("NXxNY");
   command
       .add_option("--tone", options->tone,

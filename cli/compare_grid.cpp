@@ -2,7 +2,10 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <vector>
 
+#include "geometry/grid_names.h"
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "io/external/external_grid.h"
 #include "io/results/grid_report.h"
@@ -48,18 +51,29 @@ JudgedGrid judged(const ExternalGrid& external, std::span<const double> exact, c
 }
 
 // The grid of a scene that a file of light is of: its only one, or the one whose name the file's ends in, as solve
-// writes it: illumination-NAME.npy.
-const Grid3& grid_of_file(const Scene3& scene, const std::string& file) {
-  if (scene.grids.empty())
-    throw InputError({file, 0}, "is light on a grid, and the scene does not say where one lies",
-                     {"\"grid\": {\"origin\": [x, y, z], \"u\": [x, y, z], \"v\": [x, y, z], \"cells\": [nu, nv]}"});
-  if (scene.grids.size() == 1) return scene.grids.front();
+// writes it: illumination-NAME.npy. REQUIRES grids.
+template <class AnyGrid>
+const AnyGrid& grid_of_file(const std::vector<AnyGrid>& grids, const std::string& file) {
+  if (grids.size() == 1) return grids.front();
   const std::string stem = std::filesystem::path(file).stem().string();
-  for (const Grid3& grid : scene.grids)
-    if (stem.ends_with("-" + grid.name)) return grid;
+  const AnyGrid* found = nullptr;
+  for (const AnyGrid& grid : grids)  // of 'desk' and 'old-desk' the longer one
+    if (stem.ends_with("-" + grid.name) && (found == nullptr || grid.name.size() > found->name.size())) found = &grid;
+  if (found != nullptr) return *found;
   throw InputError({file, 0},
-                   "is light on one of several grids, and its name does not say which: " + names_of_grids(scene),
+                   "is light on one of several grids, and its name does not say which: " + names_of_grids(grids),
                    {"call it illumination-NAME" + std::filesystem::path(file).extension().string()});
+}
+
+// The grid in the plane: the scene's own, which has the file's cells, or one over its surfaces.
+Grid2 grid_of_file(const Scene2& scene, const ExternalGrid& external) {
+  if (scene.grids.empty()) {
+    require_few_cells(external, kMaxGridCells);
+    return grid_over(scene, external.nx, external.ny);
+  }
+  const Grid2& own = grid_of_file(scene.grids, external.file);
+  require_cells(external, own.nx, own.ny);
+  return own;
 }
 
 }  // namespace
@@ -69,11 +83,7 @@ JudgedGrid judge_grid(const std::string& file, const MethodComparison2& comparis
   const ExternalGrid external = read_external_grid(file);
   require_channels(external, solution);
   const PreparedScene2& prepared = comparison.prepared();
-  if (prepared.scene.grid)
-    require_cells(external, prepared.scene.grid->nx, prepared.scene.grid->ny);
-  else
-    require_few_cells(external, kMaxGridCells);
-  const Grid2 grid = grid_over(prepared.scene, external.nx, external.ny);
+  const Grid2 grid = grid_of_file(prepared.scene, external);
   const std::array<double, 2> min = to_doubles(grid.min), max = to_doubles(grid.max);
   if (external.region)
     for (std::size_t k = 0; k < 2; ++k) {
@@ -92,7 +102,10 @@ JudgedGrid judge_grid(const std::string& file, const MethodComparison2& comparis
 JudgedGrid judge_grid(const std::string& file, const MethodComparison3& comparison, double beyond) {
   const RadiositySolution& solution = comparison.required_solution();
   const PreparedScene3& prepared = comparison.prepared();
-  const Grid3& grid = grid_of_file(prepared.scene, file);
+  if (prepared.scene.grids.empty())
+    throw InputError({file, 0}, "is light on a grid, and the scene does not say where one lies",
+                     {"\"grid\": {\"origin\": [x, y, z], \"u\": [x, y, z], \"v\": [x, y, z], \"cells\": [nu, nv]}"});
+  const Grid3& grid = grid_of_file(prepared.scene.grids, file);
   if (grid.is_volume())
     throw InputError({file, 0}, "is light in a volume, and what is compared is light on planar grids",
                      {"compare its layers, each as a grid without \"w\""});

@@ -101,9 +101,9 @@ Planned plan_of(const PlanOptions& options, Scene2 scene) {
        {std::pair(options.shading != PlanOptions().shading, "--shading"), {!options.texels.empty(), "--texels"}})
     if (is_given) throw UsageError(std::string(option) + " is only for scenes in space");
   options.elements.apply_to(scene);
-  const Grid2 grid = grid_of(scene, options.grid);
-  Planned result{nullptr, memory_of(options, scene, std::uint64_t{grid.nx} * grid.ny), {}};
-  const Simulation2 simulation(std::move(scene), {.grid = grid, .light = *light_kind_2(options.illumination)});
+  scene.grids = grids_of(scene, options.grid);
+  Planned result{nullptr, memory_of(options, scene, cells_of(scene.grids)), {}};
+  const Simulation2 simulation(std::move(scene), {.light = *light_kind_2(options.illumination)});
   if (is_had(result.memory)) result.effects = simulation.plan();
   if (result.memory) result.lists = lists_of(simulation, result.memory->estimate, result.effects != nullptr);
   return result;

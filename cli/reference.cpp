@@ -16,6 +16,7 @@
 #include "geometry/space/prepared/prepared_scene.h"
 #include "io/files/output_file.h"
 #include "io/files/text_file.h"
+#include "io/results/grid_file.h"
 #include "io/results/npy.h"
 #include "io/results/plane/light_region.h"
 #include "io/results/reference_set.h"
@@ -70,12 +71,8 @@ bool read_given(const std::string& file, const ReferenceOptions& options, const 
 }
 
 // Divides a scene, and its grids, as asked for.
-void change(const ReferenceOptions& options, Scene2& scene) {
-  options.elements.apply_to(scene);
-  if (!options.grid.empty()) scene.grid = grid_of(scene, options.grid);
-}
-
-void change(const ReferenceOptions& options, Scene3& scene) {
+template <class AnyScene>
+void change(const ReferenceOptions& options, AnyScene& scene) {
   options.elements.apply_to(scene);
   if (!options.grid.empty()) scene.grids = grids_of(scene, options.grid);
 }
@@ -103,12 +100,17 @@ GivenScene given_scene(const std::string& file, const ReferenceOptions& options,
   return given;
 }
 
-// Light on the grid of a scene, where it has one.
-std::shared_ptr<const SolvedLight2> light_of(const Simulation2& simulation, const Streams& streams) {
-  return simulation.scene().grid ? simulation.light(streams.stages()) : nullptr;
+// Light on each grid of a scene.
+std::vector<std::shared_ptr<const SolvedLight2>> lights_of(const Simulation2& simulation, const Streams& streams) {
+  std::vector<std::shared_ptr<const SolvedLight2>> lights;
+  for (const Grid2& grid : simulation.scene().grids) {
+    SimulationRequest2 request = simulation.request();
+    request.grid = grid;
+    lights.push_back(simulation.with_request(request).light(streams.stages()));
+  }
+  return lights;
 }
 
-// Light on each grid of a scene.
 std::vector<std::shared_ptr<const IlluminationGrid3>> lights_of(const Simulation3& simulation, const Streams& streams) {
   std::vector<std::shared_ptr<const IlluminationGrid3>> lights;
   for (const Grid3& grid : simulation.scene().grids) {
@@ -119,13 +121,17 @@ std::vector<std::shared_ptr<const IlluminationGrid3>> lights_of(const Simulation
   return lights;
 }
 
-std::vector<ReferenceLight> reference_lights(const SolvedLight2* light, const RadiositySolution& solution) {
-  if (light == nullptr) return {};
-  const IlluminationGrid2& cells = light->grid;
-  return {{"illumination",
-           {cells.grid.ny, cells.grid.nx, cells.channels},
-           cells.values,
-           illumination_sidecar(region_of(cells.grid), solution.channel_names, "point")}};
+std::vector<ReferenceLight> reference_lights(const std::vector<std::shared_ptr<const SolvedLight2>>& lights,
+                                             const RadiositySolution& solution) {
+  std::vector<ReferenceLight> result;
+  for (const auto& light : lights) {
+    const IlluminationGrid2& cells = light->grid;
+    result.push_back({grid_file("illumination", cells.grid.name),
+                      {cells.grid.ny, cells.grid.nx, cells.channels},
+                      cells.values,
+                      illumination_sidecar(region_of(cells.grid), solution.channel_names, "point")});
+  }
+  return result;
 }
 
 std::vector<ReferenceLight> reference_lights(const std::vector<std::shared_ptr<const IlluminationGrid3>>& lights,
@@ -134,7 +140,7 @@ std::vector<ReferenceLight> reference_lights(const std::vector<std::shared_ptr<c
   for (const auto& light : lights) {
     std::vector<std::size_t> shape = array_shape(light->grid);
     shape.push_back(light->channels);
-    result.push_back({grid_file("illumination", light->grid), std::move(shape), light->values,
+    result.push_back({grid_file("illumination", light->grid.name), std::move(shape), light->values,
                       illumination_sidecar(region_of(light->grid), solution.channel_names)});
   }
   return result;
@@ -145,7 +151,7 @@ SceneReference refer_in_plane(const std::string& name, GivenScene given, const S
                                {.granularity = Granularity::kElement, .wants_visibility = true});
   const auto factors = simulation.factors(streams.stages());
   const auto solution = simulation.radiosities(streams.stages());
-  const auto light = light_of(simulation, streams);
+  const auto lights = lights_of(simulation, streams);
   const Scene2& scene = simulation.scene();
   const FactorTable table{scene, factors->matrix, Granularity::kElement};
   return scene_reference(name, reference_units_2(scene), std::move(given.text),
@@ -158,7 +164,7 @@ SceneReference refer_in_plane(const std::string& name, GivenScene given, const S
                                 write_faces_csv(table, element_pieces(*simulation.prepared(), Granularity::kElement),
                                                 sink);
                               },
-                          .lights = reference_lights(light.get(), *solution)});
+                          .lights = reference_lights(lights, *solution)});
 }
 
 SceneReference refer_in_space(const std::string& name, GivenScene given, double tolerance, bool must_be_enclosed,

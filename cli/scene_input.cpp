@@ -214,10 +214,16 @@ TexelOption texel_option(const std::string& text) {
   return {text.substr(0, end), nu, nv};
 }
 
-Grid2 grid_of(const Scene2& scene, const std::string& option) {
-  if (option.empty()) return default_grid(scene);
+std::vector<Grid2> grids_of(const Scene2& scene, const std::string& option) {
+  std::vector<Grid2> grids = scene.grids;
+  if (option.empty()) return grids.empty() ? std::vector{default_grid(scene)} : grids;
   const auto [nx, ny] = two_numbers("--grid", "NXxNY", option, kMaxGridCells);
-  return grid_over(scene, nx, ny);
+  if (grids.empty()) return {grid_over(scene, nx, ny)};
+  for (Grid2& grid : grids) {
+    grid.nx = nx;
+    grid.ny = ny;
+  }
+  return grids;
 }
 
 namespace {
@@ -265,12 +271,6 @@ std::string cells_text(const Grid2& grid) { return fmt::format("{} x {}", grid.n
 std::string cells_text(const Grid3& grid) {
   const std::string planar = fmt::format("{} x {}", grid.nu, grid.nv);
   return grid.is_volume() ? fmt::format("{} x {}", planar, grid.nw) : planar;
-}
-
-std::uint64_t cells_of(const std::vector<Grid3>& grids) {
-  std::uint64_t cells = 0;
-  for (const Grid3& grid : grids) cells += grid.cells();
-  return cells;
 }
 
 }  // namespace hottel

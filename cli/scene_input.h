@@ -96,9 +96,10 @@ struct TexelOption {
 // Throws UsageError for anything else.
 TexelOption texel_option(const std::string& text);
 
-// The grid of an option --grid, "400x300" cells over the region of the scene's own grid or else of its surfaces;
-// without the option that of default_grid. Throws UsageError for anything but two numbers from 1 to kMaxGridCells.
-Grid2 grid_of(const Scene2& scene, const std::string& option);
+// The grids of a scene, where there is an option --grid each with "400x300" cells. Of a scene without any it is one
+// over its surfaces, without the option that of default_grid. Throws UsageError for anything but two numbers from 1 to
+// kMaxGridCells.
+std::vector<Grid2> grids_of(const Scene2& scene, const std::string& option);
 // The same in space: the scene's own grids, where there is an option the planar ones with "400x300" cells along u and
 // v, or the volumes with "40x30x20". Throws UsageError where none is of the kind that the option divides, or for
 // anything but two or three numbers from 1 to kMaxGridCells3.
@@ -107,6 +108,11 @@ std::vector<Grid3> grids_of(const Scene3& scene, const std::string& option);
 std::string cells_text(const Grid2& grid);
 std::string cells_text(const Grid3& grid);
 // How many cells they have together.
-std::uint64_t cells_of(const std::vector<Grid3>& grids);
+template <class AnyGrid>
+std::uint64_t cells_of(const std::vector<AnyGrid>& grids) {
+  std::uint64_t cells = 0;
+  for (const AnyGrid& grid : grids) cells += grid.cells();
+  return cells;
+}
 
 }  // namespace hottel

@@ -1,12 +1,17 @@
 // hottel solve: radiosities of elements with proven bounds, light between faces in the plane, a picture of it.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <deque>
 #include <filesystem>
+#include <map>
+#include <optional>
+#include <vector>
 
 #include "cli/command.h"
-#include "cli/grid_exr.h"
 #include "cli/machine_speed.h"
 #include "cli/methods.h"
+#include "cli/plane_grid_files.h"
 #include "cli/room_for_elements.h"
 #include "cli/solve_files.h"
 #include "cli/solve_in_space.h"
@@ -16,16 +21,14 @@
 #include "io/external/plane/external_matrix.h"
 #include "io/files/output_file.h"
 #include "io/results/exr.h"
-#include "io/results/npy.h"
+#include "io/results/grid_file.h"
 #include "io/results/plane/check_report.h"
-#include "io/results/plane/light_region.h"
 #include "io/results/short_digits.h"
 #include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/plan_speed.h"
-#include "solver/plane/light/oriented_lights.h"
 #include "solver/plane/simulation/refined.h"
 #include "solver/store_plan.h"
 #include "viewer/picture/plane/illumination_picture.h"
@@ -36,21 +39,12 @@ namespace {
 
 // What is asked for, once names and combinations of options are found to make sense.
 struct Request {
-  SimulationRequest2 simulation;  // all but the grid, which needs the scene
+  SimulationRequest2 simulation;  // all but the grids, which need the scene
   bool wants_picture = true;
-  Shown shown{};             // by the picture
-  bool shows_cells = false;  // and by the grid that was asked for
+  Shown shown{};  // by the picture
   std::filesystem::path directory;
   std::shared_ptr<const ExactOnDisk2> on_disk;  // the method of --out-of-core or --checkpoint; null where none is given
 };
-
-IlluminationPicture2 light_picture(const SolveOptions& options) {
-  return {.tone = tone_asked(options.tone, kUsualTone2),
-          .exposure = options.exposure,
-          .wanted_width = options.size,
-          .has_axes = options.axes,
-          .contours = options.contours};
-}
 
 // Without light there is a picture of what --show has on faces, and none of the light.
 void require_picture_of_faces(const SolveOptions& options, const Shown& shown) {
@@ -101,155 +95,45 @@ Request request_of(const SolveOptions& options) {
   require_picture_of_faces(options, request.shown);
   request.wants_picture = !options.no_picture && (asked.wants_light || !request.shown.is_light());
   if (request.wants_picture && request.shown.is_light())
-    asked.painter = light_painter_2(light_picture(options), PictureFormat::kPng);
+    asked.painter = light_painter_2(light_picture_2(options), PictureFormat::kPng);
   request.directory = output_folder(options.out, options.scene);
   return request;
 }
 
-// The files of a run.
-struct Outputs {
-  SolveFiles files;
-  OutputFile *npy = nullptr, *sidecar = nullptr, *shown_npy = nullptr, *shown_sidecar = nullptr;
-  OutputFile *exr = nullptr, *shown_exr = nullptr;
+// The picture of what --show has on the faces alone, which no grid has to do with.
+struct FacesPicture {
   OutputFile *png = nullptr, *render = nullptr;
-  std::optional<ViewsOutput> views;
 
-  Outputs(const SolveOptions& options, const Request& request, const SceneTable& scene)
-      : files(request.directory, scene) {
-    if (request.simulation.wants_light) {
-      npy = &files.add("illumination.npy");
-      sidecar = &files.add("illumination.npy.json");
-      if (options.exr) exr = &files.add("illumination.exr");
-    }
-    if (request.shows_cells) {
-      shown_npy = &files.add("shown.npy");
-      shown_sidecar = &files.add("shown.npy.json");
-      if (options.exr) shown_exr = &files.add("shown.exr");
-    }
-    if (request.wants_picture) png = &files.add("illumination.png");
+  FacesPicture(const SolveOptions& options, SolveFiles& files) : png(&files.add("illumination.png")) {
     if (!options.render.empty()) render = &files.add_elsewhere(options.render);
-    if (options.views.empty()) return;
-    views.emplace(options.views);
-    files.add(views->mtx);
-    files.add(views->faces);
+  }
+
+  PictureRange write(const SolveOptions& options, const Shown& shown, const Simulation2& simulation) {
+    const ShownValues values =
+        shown_values(shown, simulation.scene(), simulation.factors()->matrix, *simulation.radiosities());
+    const auto picture = [&](PictureFormat format) {
+      return shown_picture_2(*simulation.prepared(), values, faces_plan_2(options), format, nullptr);
+    };
+    png->write(picture(PictureFormat::kPng));
+    if (render) render->write(picture(*picture_format(options.render)));
+    return range_of(values);
   }
 };
 
-// The scene as it is asked for, ready to be simulated.
+// The scene as it is asked for, on its own grids or on one over its surfaces, ready to be simulated.
 Simulation2 simulation_of(const SolveOptions& options, Scene2 scene, Request request) {
   options.elements.apply_to(scene);
   require_room_for_solving(scene, options.memory, options.levels, options.sums.is_given());
   request.simulation.lights = light_test_of(options, scene);
-  const Grid2 grid = grid_of(scene, options.grid);
+  scene.grids = grids_of(scene, options.grid);
   if (request.simulation.wants_light)
-    require_room_for_light(options, cells_text(grid), std::uint64_t{grid.nx} * grid.ny, channel_count(scene),
-                           "take a coarser --grid", request.directory);
-  request.simulation.grid = grid;
+    for (const Grid2& grid : scene.grids)
+      require_room_for_light(options, cells_text(grid), grid.cells(), channel_count(scene), "take a coarser --grid",
+                             request.directory);
   request.simulation.method = request.on_disk;
   if (!request.on_disk) request.simulation.method = all_methods_2().make(options.method);
   request.simulation.store = options.store.open(options.method);
   return Simulation2(std::move(scene), std::move(request.simulation));
-}
-
-// What came of it.
-struct Results {
-  std::shared_ptr<const ComputedFactors2> factors;
-  std::shared_ptr<const Findings2> lost_light;
-  std::shared_ptr<const RadiositySolution> solution;
-  std::shared_ptr<const DividingEstimate> dividing;
-  std::shared_ptr<const SolvedLight2> light;     // null: not wanted
-  std::shared_ptr<const LightPicture2> picture;  // null: not wanted, or of something else than light
-  std::optional<ShownValues> shown;              // of something else
-  std::optional<ShownCells2> cells;              // of the same at the centres of cells
-};
-
-// What is shown at the centres of the cells of the grid.
-ShownCells2 cells_of(const Shown& shown, const Simulation2& simulation, const Results& results,
-                     const Streams& streams) {
-  const std::vector<OrientedLight> lights =
-      lights_around_cells(*simulation.prepared(), results.light->grid, streams.progress("light on the grid"));
-  return {results.light->grid.grid, shown_at_points(shown, lights, results.solution->channel_names)};
-}
-
-// Asks stage by stage, so that each is told of as it is there.
-Results results_of(const Simulation2& simulation, const Request& request, Streams& streams) {
-  Results results;
-  const StageProgress progress = streams.stages();
-  results.factors = simulation.factors(progress);
-  results.lost_light = simulation.lost_light(progress);
-  if (!results.lost_light->empty()) streams.note(findings_text(simulation.scene(), *results.lost_light));
-  results.solution = simulation.radiosities(progress);
-  results.dividing = simulation.dividing(progress);
-  if (request.simulation.wants_light) results.light = simulation.light(progress);
-  if (request.wants_picture && request.shown.is_light()) results.picture = simulation.picture(progress);
-  if (request.wants_picture && !request.shown.is_light())
-    results.shown = shown_values(request.shown, simulation.scene(), results.factors->matrix, *results.solution);
-  if (request.shows_cells) results.cells = cells_of(request.shown, simulation, results, streams);
-  if (results.shown && results.cells) share_scale(request.shown, *results.shown, results.cells->values);
-  return results;
-}
-
-std::map<std::string, double> seconds_of(const Results& results) {
-  std::map<std::string, double> seconds = results.factors->report.counts.seconds;
-  seconds.insert(results.solution->seconds.begin(), results.solution->seconds.end());
-  if (results.dividing->seconds > 0) seconds["dividing"] = results.dividing->seconds;
-  if (results.light) seconds["illumination"] = results.light->seconds;
-  if (results.picture) seconds["picture"] = results.picture->seconds;
-  return seconds;
-}
-
-std::string picture_of(const SolveOptions& options, const Simulation2& simulation, const Results& results,
-                       PictureFormat format) {
-  if (results.shown)
-    return shown_picture_2(*simulation.prepared(), *results.shown,
-                           {.width = options.size, .has_axes = options.axes, .shading = *shading_of(options.shading)},
-                           format, results.cells ? &*results.cells : nullptr);
-  return illumination_picture_2(*simulation.prepared(), results.light->grid, light_picture(options), format).bytes;
-}
-
-std::optional<PictureLight> picture_light_of(const SolveOptions& options, const Results& results) {
-  if (!results.picture) return std::nullopt;
-  return PictureLight{results.picture->scale, to_string(tone_asked(options.tone, kUsualTone2)), options.exposure,
-                      light_contours_2(results.light->grid, options.contours)};
-}
-
-std::string light_exr(const SolveOptions& options, const IlluminationGrid2& light, const RadiositySolution& solution) {
-  const bool is_formula = options.illumination == "inverse-square";
-  return grid_exr({light.grid.nx, light.grid.ny, solution.channel_names, light.values,
-                   is_formula ? "W/m³" : kRadiosityUnit,
-                   illumination_sidecar(region_of(light.grid), solution.channel_names, options.illumination)});
-}
-
-void write_results(const SolveOptions& options, const Simulation2& simulation, const Results& results,
-                   const Streams& streams, Outputs& outputs) {
-  const RadiositySolution& solution = *results.solution;
-  if (outputs.npy) {
-    const IlluminationGrid2& light = results.light->grid;
-    const std::size_t shape[3] = {light.grid.ny, light.grid.nx, light.channels};
-    write_npy(shape, light.values, [&outputs](std::string_view bytes) { outputs.npy->write(bytes); });
-    outputs.sidecar->write(illumination_sidecar(region_of(light.grid), solution.channel_names, options.illumination));
-    if (outputs.exr) outputs.exr->write(light_exr(options, light, solution));
-  }
-  if (outputs.shown_npy) {
-    const ShownValues& values = results.cells->values;
-    const std::size_t shape[2] = {results.cells->grid.ny, results.cells->grid.nx};
-    write_npy(shape, values.numbers(), [&outputs](std::string_view bytes) { outputs.shown_npy->write(bytes); });
-    const std::string about = shown_sidecar(region_of(results.cells->grid), values.name, values.unit);
-    outputs.shown_sidecar->write(about);
-    if (outputs.shown_exr)
-      outputs.shown_exr->write(grid_exr({shape[1], shape[0], {values.name}, values.numbers(), values.unit, about}));
-  }
-  if (outputs.png)
-    outputs.png->write(results.picture ? results.picture->bytes
-                                       : picture_of(options, simulation, results, PictureFormat::kPng));
-  if (outputs.render)
-    outputs.render->write(is_exr(options.render)
-                              ? light_exr(options, results.light->grid, solution)
-                              : picture_of(options, simulation, results, *picture_format(options.render)));
-  if (outputs.views)
-    write_views_2(*simulation.prepared(), simulation.grid(),
-                  {simulation.scene(), results.factors->matrix, simulation.granularity(), {}, {}},
-                  options.memory.value_or(0), streams, *outputs.views);
 }
 
 void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& request, double seconds_to_read,
@@ -271,47 +155,64 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
     throw UsageError("--shading in the plane is of the values of --show: light between the faces has no elements");
   if (!request.shown.is_light() && options.size > 0 && options.size < kMinPictureWidth)
     throw UsageError(fmt::format("--size of --show {} is {} at least", options.show, kMinPictureWidth));
+  const bool has_own_grids = !scene.grids.empty();
   Stopwatch watch;
   const Simulation2 simulation =
       refined(simulation_of(options, std::move(scene), request), options.levels.levels(), streams.stages());
   auto plan = std::make_shared<const Plan>(plan_at_speed(*simulation.plan(), machine_speed()));
   if (options.store.is_given()) plan = std::make_shared<const Plan>(plan_with_store(*plan, false, options.method));
   streams.note(plan_text(*plan));
-  Request wanted = request;
-  wanted.shows_cells = is_of_points(request.shown) && request.simulation.wants_light &&
-                       options.illumination != "inverse-square" &&
-                       (simulation.scene().grid.has_value() || !options.grid.empty());
-  Outputs outputs(options, wanted, simulation.scene());
-  const Results results = results_of(simulation, wanted, streams);
-  const ExchangeMatrix& matrix = results.factors->matrix;
+  const Scene2& asked = simulation.scene();
+  const bool shows_cells = is_of_points(request.shown) && request.simulation.wants_light &&
+                           options.illumination != "inverse-square" && (has_own_grids || !options.grid.empty());
+  const bool has_grid_pictures = request.wants_picture && (request.shown.is_light() || shows_cells);
+  const std::vector<Grid2> grids = request.simulation.wants_light ? asked.grids : std::vector<Grid2>();
+  SolveFiles files(request.directory, asked);
+  std::deque<PlaneGridFiles> grid_outputs;
+  for (const Grid2& grid : grids)
+    grid_outputs.emplace_back(options, AskedOfGrids2{request.shown, shows_cells, has_grid_pictures}, grid, files);
+  std::optional<FacesPicture> faces;
+  if (request.wants_picture && !has_grid_pictures) faces.emplace(options, files);
+  const auto factors = simulation.factors(streams.stages());
+  const ExchangeMatrix& matrix = factors->matrix;
+  const auto lost_light = simulation.lost_light(streams.stages());
+  if (!lost_light->empty()) streams.note(findings_text(asked, *lost_light));
+  const auto solution = simulation.radiosities(streams.stages());
+  const auto dividing = simulation.dividing(streams.stages());
   watch.lap();
-  const NetFluxes fluxes(simulation.scene(), matrix, *results.solution, *simulation.light_shares());
-  const Solved solved{simulation.scene(), matrix, *results.solution, fluxes};
-  outputs.files.write_tables(solved, options.digits);
-  write_results(options, simulation, results, streams, outputs);
-  std::map<std::string, double> seconds = seconds_of(results);
+  const NetFluxes fluxes(asked, matrix, *solution, *simulation.light_shares());
+  const Solved solved{asked, matrix, *solution, fluxes};
+  std::map<std::string, double> seconds = factors->report.counts.seconds;
+  seconds.insert(solution->seconds.begin(), solution->seconds.end());
+  if (dividing->seconds > 0) seconds["dividing"] = dividing->seconds;
   seconds["read"] = seconds_to_read;
+  files.write_tables(solved, options.digits);
+  SolveReport report{.scene = options.scene,
+                     .plan = plan.get(),
+                     .factors = factor_counts(factors->report.counts),
+                     .solution = solution.get(),
+                     .fluxes = &fluxes,
+                     .insulated = insulated_groups(asked, matrix, *solution),
+                     .given_flux = given_flux_groups(asked, matrix, *solution),
+                     .unit = asked.unit,
+                     .store = options.store.report(simulation.request().store),
+                     .dividing = dividing.get(),
+                     .warnings = with_unit_note(asked, finding_notes(*lost_light))};
+  if (faces) report.picture_ranges.push_back(faces->write(options, request.shown, simulation));
   seconds["write"] = watch.lap();
-  const SolveReport report{options.scene,
-                           plan.get(),
-                           factor_counts(results.factors->report.counts),
-                           results.solution.get(),
-                           &fluxes,
-                           seconds,
-                           picture_light_of(options, results),
-                           range_of(results.shown),
-                           {},
-                           results.light ? results.light->max_error : std::nullopt,
-                           insulated_groups(simulation.scene(), matrix, *results.solution),
-                           given_flux_groups(simulation.scene(), matrix, *results.solution),
-                           simulation.scene().unit,
-                           options.store.report(simulation.request().store),
-                           results.dividing.get(),
-                           with_unit_note(simulation.scene(), finding_notes(*results.lost_light))};
-  outputs.files.finish(options, report, solved,
-                       (outputs.views ? "\nwhat the cells see: " + options.views : "") +
-                           (outputs.render != nullptr ? "\nthe picture: " + options.render : ""),
-                       streams);
+  for (PlaneGridFiles& each : grid_outputs) {
+    const ToldOfGrid2 told = each.write(options, simulation, streams, seconds);
+    if (told.light) report.picture_lights.push_back(*told.light);
+    if (told.range) report.picture_ranges.push_back(*told.range);
+    if (told.max_error)
+      report.illumination_max_error = std::max(report.illumination_max_error.value_or(0), *told.max_error);
+  }
+  report.seconds = seconds;
+  const std::string pictures = has_grid_pictures ? names_of_grid_files(options.render, grids) : options.render;
+  files.finish(options, report, solved,
+               (options.views.empty() ? "" : "\nwhat the cells see: " + names_of_grid_files(options.views, grids)) +
+                   (options.render.empty() ? "" : "\nthe picture: " + pictures),
+               streams);
   if (request.on_disk) {
     options.sums.tell(request.on_disk->bytes_of_sums(), streams);
     request.on_disk->forget();
@@ -341,8 +242,9 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
       ->check(CLI::IsMember({"exact", "centroid", "vertices"}))
       ->capture_default_str();
   command
-      .add_option("--grid", options.grid,
-                  "cells of the illumination: over the scene's region; in space of each of the scene's grids")
+      .add_option(
+          "--grid", options.grid,
+          "cells of the illumination: of each of the scene's grids; in the plane, where it has none, over its region")
       ->type_name("NXxNY");
   command
       .add_option(

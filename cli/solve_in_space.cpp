@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/grid_exr.h"
+#include "cli/grid_array.h"
 #include "cli/machine_speed.h"
 #include "cli/room_for_elements.h"
 #include "cli/solve_files.h"
@@ -26,6 +26,7 @@
 #include "io/external/space/external_matrix.h"
 #include "io/files/output_file.h"
 #include "io/results/exr.h"
+#include "io/results/grid_file.h"
 #include "io/results/npy.h"
 #include "io/results/solve_report.h"
 #include "io/results/space/check_report.h"
@@ -95,23 +96,15 @@ GridPicture3 grid_picture_of(const SolveOptions& options, const Scene3& scene) {
 // The files of light on a planar grid of the scene, and of what --show has of it.
 struct GridFiles {
   Grid3 grid;
-  OutputFile &npy, &sidecar;
-  OutputFile *error_npy = nullptr, *error_sidecar = nullptr;
-  OutputFile *shown_npy = nullptr, *shown_sidecar = nullptr, *png = nullptr, *exr = nullptr, *shown_exr = nullptr;
+  GridArray irradiance;
+  std::optional<GridArray> error, shown_cells;
+  OutputFile* png = nullptr;
 
   GridFiles(const SolveOptions& options, const Shown& shown, const Grid3& where, SolveFiles& files)
-      : grid(where), npy(add("illumination.npy", files)), sidecar(add("illumination.npy.json", files)) {
-    if (options.illumination == "average") {
-      error_npy = &add("illumination_error.npy", files);
-      error_sidecar = &add("illumination_error.npy.json", files);
-    }
-    if (options.exr) exr = &add("illumination.exr", files);
-    if (is_of_points(shown)) {
-      if (options.exr) shown_exr = &add("shown.exr", files);
-      shown_npy = &add("shown.npy", files);
-      shown_sidecar = &add("shown.npy.json", files);
-    }
-    if (!options.no_picture) png = &add("illumination.png", files);
+      : grid(where), irradiance("illumination", where.name, options.exr, files) {
+    if (options.illumination == "average") error.emplace("illumination_error", where.name, false, files);
+    if (is_of_points(shown)) shown_cells.emplace("shown", where.name, options.exr, files);
+    if (!options.no_picture) png = &files.add("illumination.png", grid_file("illumination.png", where.name));
   }
 
   // Asks for the light, and for its picture where there is a file for it. Returns the largest error of averages.
@@ -123,7 +116,7 @@ struct GridFiles {
     const auto light = simulation.light(streams.stages());
     seconds["illumination"] += light->seconds;
     write_light(*light, simulation.radiosities()->channel_names);
-    if (shown_npy) {
+    if (shown_cells) {
       write_shown(simulation, shown, how, streams, seconds);
     } else if (png) {
       const auto picture = simulation.picture(streams.stages());
@@ -134,17 +127,12 @@ struct GridFiles {
   }
 
  private:
-  OutputFile& add(const std::string& kind, SolveFiles& files) const { return files.add(kind, grid_file(kind, grid)); }
-
   void write_light(const IlluminationGrid3& light, const std::vector<std::string>& channels) {
     const std::size_t shape[3] = {grid.nv, grid.nu, light.channels};
-    write_npy(shape, light.values, [this](std::string_view bytes) { npy.write(bytes); });
-    const std::string about = illumination_sidecar(region_of(grid), channels, light.max_error());
-    sidecar.write(about);
-    if (exr) exr->write(grid_exr({shape[1], shape[0], channels, light.values, kRadiosityUnit, about}));
-    if (!error_npy) return;
-    write_npy(std::span(shape).first(2), light.errors, [this](std::string_view bytes) { error_npy->write(bytes); });
-    error_sidecar->write(average_error_sidecar(region_of(grid)));
+    irradiance.write(shape, light.values, channels, kRadiosityUnit,
+                     illumination_sidecar(region_of(grid), channels, light.max_error()));
+    if (error)
+      error->write(std::span(shape).first(2), light.errors, {}, kRadiosityUnit, average_error_sidecar(region_of(grid)));
   }
 
   // What is shown at the centres of cells, on areas that look along u x v.
@@ -158,11 +146,8 @@ struct GridFiles {
     const ShownValues values = shown_at_points(shown, lights, solution->channel_names);
     seconds["illumination"] += watch.lap();
     const std::size_t shape[2] = {grid.nv, grid.nu};
-    write_npy(shape, values.numbers(), [this](std::string_view bytes) { shown_npy->write(bytes); });
-    const std::string about = hottel::shown_sidecar(region_of(grid), values.name, values.unit);
-    shown_sidecar->write(about);
-    if (shown_exr)
-      shown_exr->write(grid_exr({shape[1], shape[0], {values.name}, values.numbers(), values.unit, about}));
+    shown_cells->write(shape, values.numbers(), {values.name}, values.unit,
+                       shown_sidecar(region_of(grid), values.name, values.unit));
     if (!png) return;
     png->write(grid_picture_3(grid, values, how));
     seconds["picture"] += watch.lap();
@@ -174,12 +159,6 @@ struct GridViews {
   Grid3 grid;
   ViewsOutput output;
 };
-
-// FILE.mtx, of a grid with a name FILE-NAME.mtx.
-std::string views_file(const std::string& file, const Grid3& grid) {
-  const std::filesystem::path path(file);
-  return (path.parent_path() / grid_file(path.filename().string(), grid)).string();
-}
 
 // The name of a face and its texels.
 struct TexelChoice {
@@ -284,6 +263,10 @@ std::string linear_picture(const RenderedView3& view, const std::vector<std::str
                    .attributes = {{"unit", kRadiosityUnit}}});
 }
 
+PictureLight light_told(const RenderedView3& view, const SolveOptions& options) {
+  return {"", view.scale(), to_string(tone_asked(options.tone, kUsualTone3)), options.exposure};
+}
+
 PictureView picture_view_of(const RenderedView3& view, const Scene3& scene) {
   const Camera3& camera = view.camera();
   return {to_doubles(camera.eye), to_doubles(camera.target), to_doubles(camera.up), to_double(camera.field_of_view),
@@ -349,7 +332,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   std::deque<GridViews> views;
   for (const Grid3& grid : grids) {
     if (options.views.empty()) continue;
-    views.push_back({grid, ViewsOutput(views_file(options.views, grid))});
+    views.push_back({grid, ViewsOutput(grid_file(options.views, grid.name))});
     files.add(views.back().output.mtx);
     files.add(views.back().output.faces);
   }
@@ -411,11 +394,8 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
       .solution = solution.get(),
       .fluxes = &fluxes,
       .seconds = seconds,
-      .picture_light = view && !view->shown()
-                           ? std::optional(PictureLight{view->scale(), to_string(tone_asked(options.tone, kUsualTone3)),
-                                                        options.exposure})
-                           : std::nullopt,
-      .picture_range = view ? range_of(view->shown()) : std::nullopt,
+      .picture_lights = view && !view->shown() ? std::vector{light_told(*view, options)} : std::vector<PictureLight>(),
+      .picture_ranges = view && view->shown() ? std::vector{range_of(*view->shown())} : std::vector<PictureRange>(),
       .picture_view = view ? std::optional(picture_view_of(*view, simulation.scene())) : std::nullopt,
       .illumination_max_error = max_error,
       .insulated = insulated_groups(simulation.scene(), factors->matrix, *solution),
@@ -425,7 +405,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
       .dividing = dividing.get(),
       .warnings = with_unit_note(simulation.scene(), finding_notes(lost_light))};
   files.finish(options, report, solved,
-               (options.views.empty() ? "" : "\nwhat the cells see: " + options.views) +
+               (options.views.empty() ? "" : "\nwhat the cells see: " + names_of_grid_files(options.views, grids)) +
                    (render != nullptr || numbers ? "\nthe picture: " + options.render : ""),
                streams);
 }

@@ -39,9 +39,8 @@ bool renders_array(const SolveOptions& options) { return options.render.ends_wit
 
 bool renders_numbers(const SolveOptions& options) { return renders_array(options) || is_exr(options.render); }
 
-std::optional<PictureRange> range_of(const std::optional<ShownValues>& shown) {
-  if (!shown) return std::nullopt;
-  return PictureRange{shown->name, shown->unit, shown->least, shown->greatest, shown->scale.lower, shown->scale.upper};
+PictureRange range_of(const ShownValues& shown, const std::string& grid) {
+  return {grid, shown.name, shown.unit, shown.least, shown.greatest, shown.scale.lower, shown.scale.upper};
 }
 
 Tone tone_asked(const std::optional<std::string>& name, Tone usual) {

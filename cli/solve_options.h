@@ -76,7 +76,7 @@ Shown shown_of(const SolveOptions& options);
 bool renders_array(const SolveOptions& options);
 bool renders_numbers(const SolveOptions& options);
 
-// The range of what is shown, for a report; nothing of nothing.
-std::optional<PictureRange> range_of(const std::optional<ShownValues>& shown);
+// The range of what a picture shows, for a report. grid: the name of the grid whose picture it is, where that has one.
+PictureRange range_of(const ShownValues& shown, const std::string& grid = "");
 
 }  // namespace hottel

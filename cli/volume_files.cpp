@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/results/grid_file.h"
 #include "io/results/npy.h"
 #include "io/results/space/light_region.h"
 #include "io/results/space/volume_file.h"
@@ -16,9 +17,9 @@ ShownValues temperatures_in(const IlluminationGrid3& light, const std::vector<st
   return shown_at_points(shown_by("temperature"), lights_around(light), channels);
 }
 
-// A file of a volume by its kind, "illumination.npy".
-OutputFile& file_of(const std::string& kind, const Grid3& grid, SolveFiles& files) {
-  return files.add(kind, grid_file(kind, grid));
+OutputFile& vtk_file(const Grid3& grid, SolveFiles& files) {
+  const std::string kind = "illumination" + std::string(volume_ending(grid));
+  return files.add(kind, grid_file(kind, grid.name));
 }
 
 }  // namespace
@@ -37,13 +38,8 @@ void require_sense_of_volumes(const SolveOptions& options, const Scene3& scene) 
 }
 
 VolumeFiles::VolumeFiles(const Shown& shown, const Grid3& where, SolveFiles& files)
-    : grid_(where),
-      npy_(file_of("illumination.npy", where, files)),
-      sidecar_(file_of("illumination.npy.json", where, files)),
-      vtk_(file_of("illumination" + std::string(volume_ending(where)), where, files)) {
-  if (!is_of_points(shown) || needs_a_side(shown)) return;
-  shown_npy_ = &file_of("shown.npy", where, files);
-  shown_sidecar_ = &file_of("shown.npy.json", where, files);
+    : grid_(where), light_("illumination", where.name, false, files), vtk_(vtk_file(where, files)) {
+  if (is_of_points(shown) && !needs_a_side(shown)) shown_.emplace("shown", where.name, false, files);
 }
 
 void VolumeFiles::write(const Simulation3& all, const Shown& shown, const Streams& streams,
@@ -56,14 +52,13 @@ void VolumeFiles::write(const Simulation3& all, const Shown& shown, const Stream
   seconds["illumination"] += light->seconds;
   write_numbers(*light, channels);
   write_vtk(*light, channels, all.scene());
-  if (shown_npy_) write_shown(shown_at_points(shown, lights_around(*light), channels));
+  if (shown_) write_shown(shown_at_points(shown, lights_around(*light), channels));
 }
 
 void VolumeFiles::write_numbers(const IlluminationGrid3& light, const std::vector<std::string>& channels) {
   std::vector<std::size_t> shape = array_shape(grid_);
   shape.push_back(light.channels);
-  write_npy(shape, light.values, [this](std::string_view bytes) { npy_.write(bytes); });
-  sidecar_.write(illumination_sidecar(region_of(grid_), channels));
+  light_.write(shape, light.values, channels, kRadiosityUnit, illumination_sidecar(region_of(grid_), channels));
 }
 
 void VolumeFiles::write_vtk(const IlluminationGrid3& light, const std::vector<std::string>& channels,
@@ -78,8 +73,8 @@ void VolumeFiles::write_vtk(const IlluminationGrid3& light, const std::vector<st
 }
 
 void VolumeFiles::write_shown(const ShownValues& values) {
-  write_npy(array_shape(grid_), values.numbers(), [this](std::string_view bytes) { shown_npy_->write(bytes); });
-  shown_sidecar_->write(shown_sidecar(region_of(grid_), values.name, values.unit));
+  shown_->write(array_shape(grid_), values.numbers(), {values.name}, values.unit,
+                shown_sidecar(region_of(grid_), values.name, values.unit));
 }
 
 }  // namespace hottel

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
+#include "cli/grid_array.h"
 #include "cli/solve_files.h"
 #include "cli/solve_options.h"
 #include "cli/streams.h"
@@ -37,8 +39,9 @@ class VolumeFiles {
   void write_shown(const ShownValues& values);
 
   Grid3 grid_;
-  OutputFile &npy_, &sidecar_, &vtk_;
-  OutputFile *shown_npy_ = nullptr, *shown_sidecar_ = nullptr;
+  GridArray light_;
+  OutputFile& vtk_;
+  std::optional<GridArray> shown_;
 };
 
 }  // namespace hottel

@@ -21,8 +21,8 @@ struct PlannedEffect {
 // What is asked beyond the scene itself.
 struct PlanRequest {
   bool everything = false;        // --simulate everything: every effect is used, whatever the scene says
-  std::uint64_t grid_cells = 0;   // cells of the illumination grid; 0: none is wanted
-  std::uint32_t longer_side = 0;  // of that grid in the plane, in cells; 0: it is a square
+  std::uint64_t grid_cells = 0;   // cells of the illumination grids; 0: none is wanted
+  std::uint64_t grid_pixels = 0;  // in the plane, of the pictures of these grids; 0: as many as of a square one
   bool is_average = false;        // the illumination is that of cells, not of their centres
   bool is_gathered = false;       // in space: the light of the picture is gathered
   std::uint64_t texels = 0;       // in space: points of a face at which light is gathered beside

@@ -75,6 +75,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 void add_shape(const GridRegion& region, Json& sidecar) {
+  if (!region.name.empty()) sidecar["grid"] = region.name;
   sidecar["shape"] = {region.ny, region.nx};
   sidecar["order"] = "C";
   sidecar["axes"] = {"y", "x"};

@@ -28,11 +28,12 @@ void write_npy(std::span<const std::size_t> shape, std::span<const double> value
 
 // Returns a JSON object of `quantity`, `shape`, `order` ("C": the last index runs fastest), `axes`, `region` (`min` and
 // `max`: the outer borders of the first and the last cells, as the doubles next to them, null where
-// doubles do not tell them) and `channels`. A place that
-// is NaN lies in a solid. way: how the light was computed, as `--illumination` names it.
+// doubles do not tell them), `channels`, and `grid`, the name of a grid that has one. A place that is NaN lies in a
+// solid. way: how the light was computed, as `--illumination` names it.
 struct GridRegion {
   std::array<double, 2> min, max;  // corners
   std::size_t nx = 0, ny = 0;      // cells
+  std::string name{};
 };
 std::string illumination_sidecar(const GridRegion& region, const std::vector<std::string>& channels,
                                  std::string_view way);

@@ -181,6 +181,28 @@ std::string energy_text(const std::string& of, const EnergyBalance& energy, bool
                      has_sun ? "; of the sun only what meets faces is counted" : "");
 }
 
+nlohmann::ordered_json picture_json(const PictureLight& light) {
+  nlohmann::ordered_json json{{"scale", light.scale}, {"tone", light.tone}, {"exposure", light.exposure}};
+  if (!light.contours.empty()) json["contours"] = light.contours;
+  return json;
+}
+
+nlohmann::ordered_json picture_json(const PictureRange& range) {
+  return {{"quantity", range.quantity}, {"unit", range.unit},           {"lower", range.lower},
+          {"upper", range.upper},       {"bar_lower", range.bar_lower}, {"bar_upper", range.bar_upper}};
+}
+
+// The picture of a run, or, where grids have names, one of its pictures.
+void add_picture(const std::string& grid, const nlohmann::ordered_json& picture, nlohmann::ordered_json& json) {
+  if (grid.empty()) {
+    json["picture"] = picture;
+    return;
+  }
+  nlohmann::ordered_json named{{"grid", grid}};
+  named.update(picture);
+  json["pictures"].push_back(std::move(named));
+}
+
 }  // namespace
 
 std::string solve_json(const SolveReport& report) {
@@ -210,13 +232,8 @@ std::string solve_json(const SolveReport& report) {
                     {"guarantee", to_string(solution.guarantee)}};
   if (report.illumination_max_error) json["bounds"]["illumination_max_error"] = *report.illumination_max_error;
   if (report.dividing) json["estimate_of_dividing"] = dividing_json(*report.dividing);
-  if (const auto& light = report.picture_light) {
-    json["picture"] = {{"scale", light->scale}, {"tone", light->tone}, {"exposure", light->exposure}};
-    if (!light->contours.empty()) json["picture"]["contours"] = light->contours;
-  }
-  if (const auto& range = report.picture_range)
-    json["picture"] = {{"quantity", range->quantity}, {"unit", range->unit},           {"lower", range->lower},
-                       {"upper", range->upper},       {"bar_lower", range->bar_lower}, {"bar_upper", range->bar_upper}};
+  for (const PictureLight& light : report.picture_lights) add_picture(light.grid, picture_json(light), json);
+  for (const PictureRange& range : report.picture_ranges) add_picture(range.grid, picture_json(range), json);
   if (const auto& view = report.picture_view)
     json["picture"]["camera"] = {{"eye", view->eye},
                                  {"target", view->target},
@@ -291,7 +308,8 @@ std::string found_text(const char* what, const std::vector<FoundTemperatures>& g
 
 // What the exposure of a picture came to: all tone curves but linear fit it to the light that there is.
 std::string picture_text(const PictureLight& light) {
-  std::string text = fmt::format("picture: light times {:.6g} by the tone curve {}", light.scale, light.tone);
+  std::string text = fmt::format("picture{}: light times {:.6g} by the tone curve {}",
+                                 light.grid.empty() ? "" : " " + quoted_name(light.grid), light.scale, light.tone);
   if (light.tone != "linear")
     text += light.exposure == 1 ? ", exposure automatic"
                                 : fmt::format(", exposure {:.6g} of the automatic one", light.exposure);
@@ -333,7 +351,7 @@ std::string solve_text(const SolveReport& report) {
   if (report.illumination_max_error)
     text += fmt::format("illumination: averages over cells, each within {:.1e} for these radiosities\n",
                         *report.illumination_max_error);
-  if (report.picture_light) text += picture_text(*report.picture_light);
+  for (const PictureLight& light : report.picture_lights) text += picture_text(light);
   if (report.picture_view && report.picture_view->is_chosen) text += view_text(*report.picture_view);
   if (report.store) text += store_text(*report.store) + "\n";
   for (const std::string& note : solution.notes) text += "note: " + note + "\n";

@@ -47,6 +47,7 @@ FactorCounts factor_counts(const ExchangeReport& report);
 
 // The range of what a picture shows, and the ends of its colour bar.
 struct PictureRange {
+  std::string grid{};  // the name of the grid whose picture it is, where that has one
   std::string quantity, unit;
   double lower = 0, upper = 0;  // the least and the greatest value
   double bar_lower = 0, bar_upper = 0;
@@ -54,6 +55,7 @@ struct PictureRange {
 
 // How the light of a picture became colours.
 struct PictureLight {
+  std::string grid{};              // the name of the grid whose picture it is, where that has one
   double scale = 1;                // what light was multiplied by before the tone curve
   std::string tone;                // its name
   double exposure = 1;             // the one that was asked for
@@ -75,8 +77,8 @@ struct SolveReport {
   const RadiositySolution* solution = nullptr;
   const NetFluxes* fluxes = nullptr;
   std::map<std::string, double> seconds{};         // of stages that ran, and of no others
-  std::optional<PictureLight> picture_light{};     // of a picture of light
-  std::optional<PictureRange> picture_range{};     // of a picture that shows something else than light
+  std::vector<PictureLight> picture_lights{};      // of pictures of light
+  std::vector<PictureRange> picture_ranges{};      // of pictures that show something else than light
   std::optional<PictureView> picture_view{};       // of a picture of space
   std::optional<double> illumination_max_error{};  // of the averages over cells, where asked for
   std::vector<FoundTemperatures> insulated{};      // in the order of radiosity.csv

@@ -18,7 +18,7 @@ namespace hottel {
 namespace {
 
 constexpr std::string_view kMagic = "\x93hottel scene\n";
-constexpr std::uint32_t kLayout = 2;
+constexpr std::uint32_t kLayout = 3;
 // After the magic: the layout and the sum, four bytes each, the lower ones first; then the dimension and the scene.
 constexpr std::size_t kHead = kMagic.size() + 2 * sizeof(std::uint32_t);
 
@@ -75,7 +75,7 @@ void fields(T& e, Visit& visit) {
 }
 template <Is<Grid2> T, class Visit>
 void fields(T& g, Visit& visit) {
-  visit(g.min, g.max, g.nx, g.ny);
+  visit(g.min, g.max, g.nx, g.ny, g.name);
 }
 template <Is<LightPath2, LightPath3> T, class Visit>
 void fields(T& p, Visit& visit) {
@@ -112,7 +112,7 @@ void fields(T& g, Visit& visit) {
 template <Is<Scene2> T, class Visit>
 void fields(T& s, Visit& visit) {
   using Table = std::conditional_t<std::is_const_v<T>, const SceneTable, SceneTable>;
-  visit(static_cast<Table&>(s), s.edges, s.light_places, s.grid);
+  visit(static_cast<Table&>(s), s.edges, s.light_places, s.grids);
 }
 template <Is<Scene3> T, class Visit>
 void fields(T& s, Visit& visit) {

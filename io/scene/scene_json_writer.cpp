@@ -168,15 +168,21 @@ std::string grid_members(const Grid3& grid) {
                      grid.w ? ", " + std::to_string(grid.nw) : "");
 }
 
+std::string grid_members(const Grid2& grid) {
+  return fmt::format("\"min\": {}, \"max\": {}, \"cells\": [{}, {}]}}", point(grid.min), point(grid.max), grid.nx,
+                     grid.ny);
+}
+
 // One without a name by itself, others as a list.
-void write_grids(const std::vector<Grid3>& grids, std::string& out) {
+template <class AnyGrid>
+void write_grids(const std::vector<AnyGrid>& grids, std::string& out) {
   if (grids.empty()) return;
   if (grids.size() == 1 && grids.front().name.empty()) {
     out += ",\n  \"grid\": {" + grid_members(grids.front());
     return;
   }
   out += ",\n  \"grid\": [";
-  for (const Grid3& grid : grids)
+  for (const AnyGrid& grid : grids)
     out += fmt::format("{}\n    {{\"name\": {}, {}", &grid == &grids.front() ? "" : ",", json_string(grid.name),
                        grid_members(grid));
   out += "\n  ]";
@@ -189,9 +195,7 @@ std::string write_scene_2(const Scene2& scene) {
   write_head(scene, 2, out);
   write_polylines(scene, write_edges(scene, out), out);
   write_sky(scene, out);
-  if (const auto& grid = scene.grid)
-    out += fmt::format(",\n  \"grid\": {{\"min\": {}, \"max\": {}, \"cells\": [{}, {}]}}", point(grid->min),
-                       point(grid->max), grid->nx, grid->ny);
+  write_grids(scene.grids, out);
   write_lights_of(scene, out);
   write_expectations(scene, out);
   return out + "\n}\n";

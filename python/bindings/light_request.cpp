@@ -1,11 +1,13 @@
 #include "python/bindings/light_request.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
+#include "geometry/grid_names.h"
 #include "geometry/name.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
@@ -66,6 +68,21 @@ void require_room(std::uint64_t cells, int channels, std::optional<std::int64_t>
                        " bytes of memory; allowed are " + std::to_string(allowed));
 }
 
+// The grid that `over` is or names, without it the only one of the scene; nothing where there is none.
+template <class AnyScene>
+auto grids_over(const AnyScene& scene, const py::object& over) -> decltype(AnyScene::grids) {
+  if (py::isinstance<py::str>(over)) {
+    const auto name = over.cast<std::string>();
+    if (const auto* const found = grid_called(scene.grids, name)) return {*found};
+    throw UsageError("there is no grid called " + quoted_name(name) +
+                     (scene.grids.empty() ? "; the scene has none" : ", only: " + names_of_grids(scene.grids)));
+  }
+  if (!over.is_none()) return std::get<AnyScene>(scene_with_grid(over, std::is_same_v<AnyScene, Scene2>)).grids;
+  if (scene.grids.size() > 1)
+    throw UsageError("the scene has several grids, of which over='NAME' is one: " + names_of_grids(scene.grids));
+  return scene.grids;
+}
+
 AnySimulation in_plane(const PythonSimulation& simulation, const GridKeywords& keywords) {
   const Simulation2& before = simulation.in_the_plane();
   const auto kind = light_kind_2(keywords.illumination);
@@ -74,30 +91,19 @@ AnySimulation in_plane(const PythonSimulation& simulation, const GridKeywords& k
                      "'");
   SimulationRequest2 request = before.request();
   request.light = *kind;
-  request.grid = default_grid(before.scene());
-  if (!keywords.over.is_none()) request.grid = std::get<Scene2>(scene_with_grid(keywords.over, true)).grid;
+  const std::vector<Grid2> given = grids_over(before.scene(), keywords.over);
+  request.grid = given.empty() ? default_grid(before.scene()) : given.front();
   if (const auto cells = cells_of(keywords.cells, 2, kMaxGridCells)) {
-    if (keywords.over.is_none()) request.grid = grid_over(before.scene(), (*cells)[0], (*cells)[1]);
+    if (given.empty()) request.grid = grid_over(before.scene(), (*cells)[0], (*cells)[1]);
     request.grid->nx = (*cells)[0];
     request.grid->ny = (*cells)[1];
   }
-  require_room(std::uint64_t{request.grid->nx} * request.grid->ny, channel_count(before.scene()),
-               simulation.options().memory);
+  require_room(request.grid->cells(), channel_count(before.scene()), simulation.options().memory);
   return before.with_request(std::move(request));
 }
 
-// The grid that `over` is or names, without it the only one of the scene.
 Grid3 grid_over(const Scene3& scene, const py::object& over) {
-  if (py::isinstance<py::str>(over)) {
-    const auto name = over.cast<std::string>();
-    const auto found = std::ranges::find(scene.grids, name, &Grid3::name);
-    if (found != scene.grids.end()) return *found;
-    throw UsageError("there is no grid called " + quoted_name(name) + ", only: " + names_of_grids(scene));
-  }
-  if (!over.is_none()) return std::get<Scene3>(scene_with_grid(over, false)).grids.front();
-  if (scene.grids.size() == 1) return scene.grids.front();
-  if (!scene.grids.empty())
-    throw UsageError("the scene has several grids, of which over='NAME' is one: " + names_of_grids(scene));
+  if (const std::vector<Grid3> grids = grids_over(scene, over); !grids.empty()) return grids.front();
   throw UsageError(
       "a scene in space has light on a grid where it says so, and this one does not: over={\"origin\": [x, y, z], "
       "\"u\": [x, y, z], \"v\": [x, y, z], \"cells\": [N, N]}");

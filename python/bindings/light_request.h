@@ -12,7 +12,8 @@
 
 namespace hottel::python {
 
-// cells: two numbers, or None; over: a grid as a scene file has it, or None. Without both the scene's own.
+// cells: two numbers, or None; over: a grid as a scene file has it, the name of one of the scene, or None. Without both
+// the scene's own.
 struct GridKeywords {
   py::object cells{py::none()}, over{py::none()};
   std::string illumination = "point";
@@ -21,7 +22,8 @@ struct GridKeywords {
 };
 
 // Returns a version of the simulation with that grid, which shares all else. Throws UsageError where it makes no sense:
-// in space where there is no grid, RequestError where so many cells do not fit into memory.
+// in space where there is no grid, where `over` does not say which of several, RequestError where so many cells do not
+// fit into memory.
 std::shared_ptr<const AnySimulation> gridded(const PythonSimulation& simulation, const GridKeywords& keywords);
 
 // Throws UsageError where that grid is a volume. what: what is of planar grids alone, "a picture".

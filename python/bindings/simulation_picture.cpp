@@ -91,7 +91,7 @@ PictureRequest request_of(const PythonScene& scene, const PictureKeywords& asked
     require_sense_in_space(asked, request);
   request.shows_cells = scene.is_plane() && is_of_points(request.shown) &&
                         asked.grid.illumination != "inverse-square" &&
-                        (asked.grid.is_given() || std::get<Scene2>(scene.scene()).grid.has_value());
+                        (asked.grid.is_given() || !std::get<Scene2>(scene.scene()).grids.empty());
   return request;
 }
 
@@ -183,7 +183,9 @@ PythonPicture picture(const PythonSimulation& simulation, const std::string& sho
   const PictureKeywords asked{show,     shading, of,       tone,     channel,  bar,
                               exposure, size,    contours, has_axes, outlines, {cells, over, illumination}};
   const PictureRequest request = request_of(simulation.scene(), asked);
-  const bool has_grid = simulation.is_plane() || request.is_of_grid;
+  const bool asks_for_grid = asked.grid.is_given() || illumination != "point";
+  const bool has_grid = request.is_of_grid ||
+                        (simulation.is_plane() && (request.shown.is_light() || request.shows_cells || asks_for_grid));
   if (has_grid) require_planar_grid(simulation, asked.grid.over, "a picture");
   const auto version = has_grid ? gridded(simulation, asked.grid) : nullptr;
   if (!has_grid && illumination != "point") throw UsageError("illumination is of light on a grid: of='grid'");

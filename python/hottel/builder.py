@@ -210,8 +210,15 @@ class SceneBuilder:
         return self._set("sky", keys)
 
     def set_grid(self, **keys: Any) -> SceneBuilder:
-        """Says where light is asked for: min, max and cells, in space origin, u, v and cells."""
+        """Says where light is asked for, and nowhere else: min, max and cells, in space origin, u, v and cells."""
         return self._set("grid", keys)
+
+    def add_grid(self, name: str, **keys: Any) -> SceneBuilder:
+        """Adds one of several grids, with the keys that set_grid takes."""
+        if not isinstance(self._table.get("grid"), list):
+            self._table["grid"] = []
+        self._table["grid"].append({"name": name, **keys})
+        return self
 
     def set_camera(self, **keys: Any) -> SceneBuilder:
         """Says where pictures in space are taken from: eye, target, up, field_of_view, pixels."""

@@ -29,14 +29,22 @@ constexpr double kUsualSide = 1400;  // pixels along the longer side of a pictur
 constexpr std::uint64_t kSample = 64;
 
 // Pixels of a picture of the light: whole ones a cell.
-double pixels_of(const PlanRequest& request) {
-  const auto cells = static_cast<double>(request.grid_cells);
-  const double longer = request.longer_side > 0 ? request.longer_side : std::sqrt(cells);
-  const double along = std::ceil(kUsualSide / longer);
+double pixels_of(double cells, double longer_side) {
+  const double along = std::ceil(kUsualSide / longer_side);
   return cells * along * along;
 }
 
+double pixels_of(const PlanRequest& request) {
+  if (request.grid_pixels > 0) return static_cast<double>(request.grid_pixels);
+  const auto cells = static_cast<double>(request.grid_cells);
+  return pixels_of(cells, std::sqrt(cells));
+}
+
 }  // namespace
+
+std::uint64_t picture_pixels_2(const Grid2& grid) {
+  return static_cast<std::uint64_t>(pixels_of(static_cast<double>(grid.cells()), std::max(grid.nx, grid.ny)));
+}
 
 double seconds_of_factors_2(double vertices, double pairs) {
   return vertices * kSecondsPerVertex + pairs * kSecondsPerPair;

@@ -60,7 +60,7 @@ TEST(BinaryScene, ThatIsDamagedIsRefused) {
   const Outcome other =
       place.run("printf '\\x93hottel scene\\n\\7\\0\\0\\0' > o.hs; tail -c +19 s.hs >> o.hs; hottel solve o.hs");
   EXPECT_EQ(other.code, 3);
-  EXPECT_THAT(other.err, HasSubstr("o.hs: is a binary scene of the layout 7, and this hottel reads 2"));
+  EXPECT_THAT(other.err, HasSubstr("o.hs: is a binary scene of the layout 7, and this hottel reads 3"));
 }
 
 }  // namespace

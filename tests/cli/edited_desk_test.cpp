@@ -157,7 +157,7 @@ std::string without_place(const std::string& message, const std::string& file) {
 TEST(EditedDesk, IsThatOfAFreshProcessAfterEveryEdit) {
   Workplace place;
   Scene2 room = room_to_edit();
-  room.grid = grid_over(room, kCells, kCells);
+  room.grids = {grid_over(room, kCells, kCells)};
   const std::string file = place.path("edited.json").string();
   place.write("edited.json", write_scene_2(room));
   RecordingWindow window({320, 320});

@@ -68,6 +68,23 @@ TEST(BinaryScene, KeepsNumbersOfAnyLength) {
   EXPECT_EQ(again.materials, scene.materials);
 }
 
+std::string why(const std::string& bytes) {
+  try {
+    parse_binary_scene(bytes, "s.hs");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(BinaryScene, KeepsAListOfGridsWithNames) {
+  Scene2 scene = parse_scene_2(kNumbers, "n.json");
+  scene.grids = {{{0, 0}, {4, 3}, 40, 30, "floor"}, {{1, 1}, {2, Rational(4, 3)}, 3, 1, "desk 1"}};
+  EXPECT_EQ(std::get<Scene2>(parse_binary_scene(binary_scene(scene), "n.hs")).grids, scene.grids);
+  scene.grids[1].name = "floor";
+  EXPECT_THAT(why(binary_scene(scene)), HasSubstr("two are called 'floor'"));
+}
+
 TEST(BinaryScene, IsReadByItsFirstBytesWhateverItIsCalled) {
   const TemporaryFolder folder;
   const Scene2 scene = parse_scene_2(kNumbers, "n.json");
@@ -77,15 +94,6 @@ TEST(BinaryScene, IsReadByItsFirstBytesWhateverItIsCalled) {
     EXPECT_THROW(read_scene_3(folder / name), InputError);
   }
   EXPECT_TRUE(std::holds_alternative<Scene2>(parse_any_scene(binary_scene(scene), "standard input")));
-}
-
-std::string why(const std::string& bytes) {
-  try {
-    parse_binary_scene(bytes, "s.hs");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(BinaryScene, OfAnotherLayoutOrDamagedAnywhereIsRefused) {
@@ -98,8 +106,10 @@ TEST(BinaryScene, OfAnotherLayoutOrDamagedAnywhereIsRefused) {
     EXPECT_NE(why(bytes.substr(0, k)), "") << k;
   }
   std::string other = bytes;
-  other[14] = 1;
-  EXPECT_THAT(why(other), HasSubstr("of the layout 1, and this hottel reads 2"));
+  for (const int before : {1, 2}) {
+    other[14] = static_cast<char>(before);
+    EXPECT_THAT(why(other), HasSubstr("of the layout " + std::to_string(before) + ", and this hottel reads 3"));
+  }
   EXPECT_NE(why(bytes + "x"), "");
 }
 

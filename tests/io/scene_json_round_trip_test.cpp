@@ -97,7 +97,10 @@ Scene2 random_scene(Random& random) {
   scene.closed = below(2, random);
   if (below(2, random)) {
     const auto size = [&] { return Rational(abs(random_number(random))); };
-    scene.grid = Grid2{{-size(), -size()}, {size(), size()}, 3, 16384};
+    scene.grids = {Grid2{{-size(), -size()}, {size(), size()}, 3, 16384}};
+    if (below(2, random)) scene.grids.front().name = "first \u00fc";
+    if (!scene.grids.front().name.empty() && below(2, random))
+      scene.grids.push_back({{-size(), -size()}, {size(), size()}, 1, 2, "second"});
   }
   if (below(2, random))
     scene.expect.push_back({"third", "exact", "factor", {"a", "b"}, "", "1/3", "1/3", "a \"proof\"", 0});
@@ -130,11 +133,7 @@ void expect_same(const Scene2& a, const Scene2& b) {
   }
   expect_same(a.sky_emission, b.sky_emission);
   EXPECT_EQ(a.closed, b.closed);
-  ASSERT_EQ(a.grid.has_value(), b.grid.has_value());
-  if (a.grid) {
-    EXPECT_TRUE(a.grid->min == b.grid->min && a.grid->max == b.grid->max && a.grid->nx == b.grid->nx &&
-                a.grid->ny == b.grid->ny);
-  }
+  EXPECT_EQ(a.grids, b.grids);
   ASSERT_EQ(a.expect.size(), b.expect.size());
   for (std::size_t i = 0; i < a.expect.size(); ++i) {
     const Expectation &s = a.expect[i], &t = b.expect[i];

@@ -78,10 +78,7 @@ TEST(SceneJson, ReadsEveryPartOfAScene) {
 
   EXPECT_TRUE(scene.closed);
   EXPECT_EQ(scene.sky_emission.value[2], Rational(1, 3));
-  ASSERT_TRUE(scene.grid);
-  EXPECT_EQ(scene.grid->max, (Point2{4, 3}));
-  EXPECT_EQ(scene.grid->nx, 400u);
-  EXPECT_EQ(scene.grid->ny, 300u);
+  EXPECT_EQ(scene.grids, (std::vector<Grid2>{{{0, 0}, {4, 3}, 400, 300}}));
   ASSERT_EQ(scene.expect.size(), 1u);
   EXPECT_EQ(scene.expect[0].value, "0.10");
   EXPECT_THAT(scene.expect[0].of, ::testing::ElementsAre("lamp", "sky"));
@@ -461,6 +458,30 @@ TEST(SceneJson, RefusesGridsWithoutCells) {
             "scene.json:3: grid: cells must be an integer from 1 to 16384");
   EXPECT_EQ(grid(R"("min": [0,0], "max": [1,1], "cells": [1,16385])"),
             "scene.json:3: grid: cells must be an integer from 1 to 16384");
+}
+
+TEST(SceneJson, ReadsAListOfGridsWithNames) {
+  const auto with_grids = [&](const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names)
+      list += (list.empty() ? "{" : ",\n{") + (name.empty() ? "" : "\"name\": \"" + name + "\", ") +
+              R"("min": [0,0], "max": [2,"1/3"], "cells": [4,3]})";
+    return scene_with("\"grid\": [" + list + "]");
+  };
+  const Scene2 scene = parse(with_grids({"floor", "desk 1"}));
+  ASSERT_EQ(scene.grids.size(), 2u);
+  EXPECT_EQ(scene.grids[0].name, "floor");
+  EXPECT_EQ(scene.grids[1], (Grid2{{0, 0}, {2, Rational(1, 3)}, 4, 3, "desk 1"}));
+  EXPECT_EQ(parse(write_scene_2(scene)).grids, scene.grids);
+  EXPECT_EQ(parse(write_scene_2(parse(with_grids({"a"})))).grids, parse(with_grids({"a"})).grids);
+  EXPECT_EQ(refusal(with_grids({})), "scene.json:3: grid: the list is empty");
+  EXPECT_EQ(refusal(with_grids({"a", ""})), "scene.json:4: grid has no \"name\"");
+  EXPECT_EQ(refusal(with_grids({""})), "scene.json:3: grid has no \"name\"");
+  EXPECT_EQ(refusal(with_grids({"a", "a"})), "scene.json:4: grid: two are called 'a'");
+  EXPECT_EQ(refusal(with_grids({"b", "a/b"})),
+            "scene.json:4: grid: a name must not contain / \\ : * ? \" < > or |: it is part of the names of files");
+  EXPECT_EQ(refusal(with_grids({std::string(101, 'a')})),
+            "scene.json:3: grid: a name must not be longer than 100 bytes");
 }
 
 TEST(SceneJson, LineNumbersDoNotDependOnTheLayout) {

@@ -37,6 +37,24 @@ def test_a_scene_made_in_steps_is_that_of_its_dict(square):
     assert scene.to_dict()["lights"][0]["position"] == [1, "1/3"]
 
 
+@pytest.mark.parametrize("builder, place", [
+    (plane, {"min": [0, 0], "max": [2, Fraction(1, 3)], "cells": [4, 2]}),
+    (space, {"origin": [0, 0, 1], "u": [1, 0, 0], "v": [0, 1, 0], "cells": [4, 2]}),
+])
+def test_grids_are_one_or_several_with_names(builder, place):
+    made = builder()
+    if builder is plane:
+        made.add_edge("wall", [0, 0], [1, 0], "white")
+    else:
+        made.add_polygon("wall", [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "white")
+    made.set_grid(**place).add_grid("desk", **place).add_grid("floor", **place)
+    assert [grid["name"] for grid in made.build().to_dict()["grid"]] == ["desk", "floor"]
+    made.add_grid("desk", **place)
+    with pytest.raises(hottel.InputError, match="two are called 'desk'"):
+        made.build()
+    assert "name" not in made.set_grid(**place).build().to_dict()["grid"]
+
+
 def test_meshes_of_every_kind_are_the_same():
     flat = numpy.hstack([[len(face), *face] for face in SIDES])
     vertices = numpy.array(CORNERS, dtype=float)

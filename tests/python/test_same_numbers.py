@@ -255,6 +255,30 @@ def test_each_of_several_grids_in_space_is_that_of_the_program(tmp_path):
             simulation.grid(**options)
 
 
+def test_each_of_several_grids_in_the_plane_is_that_of_the_program(tmp_path):
+    grids = [{"name": "low", "min": [0, 0], "max": [2, 1], "cells": [6, 3]},
+             {"name": "high", "min": [0, 1], "max": [2, 2], "cells": [5, 4]}]
+    scene = hottel.read_scene("scenes/heat/street_canyon.json").replace(grid=grids)
+    solved(scene, tmp_path, "--show", "temperature")
+    simulation = hottel.Simulation(scene)
+    for name in ("low", "high"):
+        found = simulation.grid(over=name)
+        assert found.values.tobytes() == numpy.load(tmp_path / f"illumination-{name}.npy").tobytes()
+        warmth = simulation.grid(over=name, show="temperature")
+        assert warmth.values.tobytes() == numpy.load(tmp_path / f"shown-{name}.npy").tobytes()
+        picture = simulation.picture("temperature", over=name)
+        assert picture.file() == (tmp_path / f"illumination-{name}.png").read_bytes()
+    assert simulation.grid((3, 2), over="high").values.shape[:2] == (2, 3)
+    assert simulation.grid(over=grids[0]["name"]).centres.shape[:2] == (3, 6)
+    assert not simulation.compare_grid(simulation.grid(over="high").values, over="high").off.any()
+    for options in ({}, {"over": "nowhere"}):
+        with pytest.raises(hottel.UsageError, match="'low', 'high'"):
+            simulation.grid(**options)
+    with pytest.raises(hottel.UsageError, match="'low', 'high'"):
+        simulation.picture()
+    assert simulation.picture("radiosity").file() == simulation.picture("radiosity", over="low").file()
+
+
 @pytest.mark.parametrize("ending", ["png", "svg", "pdf"])
 @pytest.mark.parametrize("scene", ["scenes/showcase/apartment.json", "scenes/space/two_boxes.json"])
 def test_pictures_of_light_are_those_of_the_program(scene, ending, tmp_path):

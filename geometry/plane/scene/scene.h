@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,10 +20,14 @@ struct Edge2 {
 // The most cells of a grid along one axis.
 inline constexpr std::uint32_t kMaxGridCells = 16384;
 
-// A grid of nx times ny equal cells over the region from min to max, in scene coordinates: where light is asked for.
+// A grid of nx times ny equal cells over the region from min to max, in scene coordinates: where light is asked for. Of
+// several grids each has a name, which is part of the names of its files.
 struct Grid2 {
   Point2 min, max;
   std::uint32_t nx = 0, ny = 0;
+  std::string name{};
+
+  std::uint64_t cells() const { return std::uint64_t{nx} * ny; }
   friend bool operator==(const Grid2&, const Grid2&) = default;
 };
 
@@ -42,7 +45,7 @@ std::string grid_problem(const Grid2& grid);
 struct Scene2 : SceneTable {
   std::vector<Edge2> edges;
   std::vector<LightPlace2> light_places;
-  std::optional<Grid2> grid;
+  std::vector<Grid2> grids;  // one alone may be without a name; else names differ
 
   // Puts a surface after all others.
   void add(Surface surface, Edge2 edge) {
@@ -59,8 +62,8 @@ struct Scene2 : SceneTable {
   void keep(const std::vector<std::uint32_t>& which);
 };
 
-// Throws InputError naming file, line and surface or light unless (2) to (5) hold and the grid is one
-// (grid_problem), ContractViolation unless (1) does, there are as many places as lights and trees are whole. COST:
+// Throws InputError naming file, line and surface or light unless (2) to (5) hold and the grids are some
+// (validate_grids), ContractViolation unless (1) does, there are as many places as lights and trees are whole. COST:
 // linear, for each light.
 void validate(const Scene2& scene);
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "geometry/grid_names.h"
 #include "geometry/name.h"
 #include "geometry/patch_bases.h"
 #include "geometry/plane/scene/patch_seats.h"
@@ -167,9 +168,20 @@ SceneBuilder2& SceneBuilder2::set_sky_temperature(const TypedSpectrum& temperatu
 SceneBuilder2& SceneBuilder2::set_grid(const TypedPoint2& min, const TypedPoint2& max, std::uint32_t nx,
                                        std::uint32_t ny) {
   const Reader reader(scene_.file);
-  Grid2 grid{reader.point("grid: min", min), reader.point("grid: max", max), nx, ny};
-  if (const std::string problem = grid_problem(grid); !problem.empty()) reader.refuse("grid: " + problem);
-  scene_.grid = std::move(grid);
+  std::vector<Grid2> grids{{reader.point("grid: min", min), reader.point("grid: max", max), nx, ny}};
+  validate_grids(grids, scene_.file);
+  scene_.grids = std::move(grids);
+  return *this;
+}
+
+SceneBuilder2& SceneBuilder2::add_grid(const std::string& name, const TypedPoint2& min, const TypedPoint2& max,
+                                       std::uint32_t nx, std::uint32_t ny) {
+  const Reader reader(scene_.file);
+  if (name.empty()) reader.refuse("grid: a name " + grid_name_problem(name));
+  std::vector<Grid2> grids = scene_.grids;
+  grids.push_back({reader.point("grid: min", min), reader.point("grid: max", max), nx, ny, name});
+  validate_grids(grids, scene_.file);
+  scene_.grids = std::move(grids);
   return *this;
 }
 

@@ -86,8 +86,11 @@ class SceneBuilder2 {
   SceneBuilder2& set_sky(const TypedSpectrum& emission);
   // The same by its temperature [K]: it sends out sigma T⁴.
   SceneBuilder2& set_sky_temperature(const TypedSpectrum& temperature);
-  // The grid on which light is computed.
+  // The grid on which light is computed, in place of all that there are.
   SceneBuilder2& set_grid(const TypedPoint2& min, const TypedPoint2& max, std::uint32_t nx, std::uint32_t ny);
+  // One more grid, with a name that no other has.
+  SceneBuilder2& add_grid(const std::string& name, const TypedPoint2& min, const TypedPoint2& max, std::uint32_t nx,
+                          std::uint32_t ny);
   // Promises that no front with a material sees the sky, or takes the promise back.
   SceneBuilder2& set_closed(bool closed = true);
   SceneBuilder2& set_about(std::string about);

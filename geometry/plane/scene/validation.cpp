@@ -1,3 +1,4 @@
+#include "geometry/grid_names.h"
 #include "geometry/light_motion.h"
 #include "geometry/name.h"
 #include "geometry/number.h"
@@ -66,9 +67,7 @@ void validate(const Scene2& scene) {
     if (const auto problem = place_problem(scene, scene.lights[k], scene.light_places[k]); !problem.empty())
       throw InputError({scene.file, scene.lights[k].line},
                        "light " + quoted_name(scene.lights[k].name) + " " + problem);
-  if (!scene.grid) return;
-  if (const std::string problem = grid_problem(*scene.grid); !problem.empty())
-    throw InputError({scene.file, 0}, "grid: " + problem);
+  validate_grids(scene.grids, scene.file);
 }
 
 }  // namespace hottel

@@ -34,19 +34,4 @@ Point3 place_in(const Grid3& grid, const Rational& s, const Rational& t, const R
   return {place.x + r * grid.w->x, place.y + r * grid.w->y, place.z + r * grid.w->z};
 }
 
-std::string grid_name_problem_3(const std::string& name) {
-  constexpr std::size_t kMostBytes = 100;
-  if (const std::string_view problem = name_problem(name); !problem.empty()) return std::string(problem);
-  if (name.size() > kMostBytes) return "must not be longer than " + std::to_string(kMostBytes) + " bytes";
-  if (name.find_first_of("/\\:*?\"<>|") != std::string::npos)
-    return "must not contain / \\ : * ? \" < > or |: it is part of the names of files";
-  return "";
-}
-
-std::string names_of_grids(const Scene3& scene) {
-  std::string names;
-  for (const Grid3& grid : scene.grids) names += (names.empty() ? "" : ", ") + quoted_name(grid.name);
-  return names;
-}
-
 }  // namespace hottel

@@ -62,11 +62,6 @@ std::string grid_problem(const Grid3& grid);
 // Returns the place s along u, t along v and, of a volume, r along w: the origin at 0, 0, 0.
 Point3 place_in(const Grid3& grid, const Rational& s, const Rational& t, const Rational& r = 0);
 
-// Returns why a grid of several may not be called so, as the end of a sentence ("must not be empty"); empty when it
-// may: a name is well-formed UTF-8 of at most 100 bytes, can be part of the name of a file (no control characters, none
-// of / \ : * ? " < > |).
-std::string grid_name_problem_3(const std::string& name);
-
 // The scene, in the order of the file: polygons, then the faces of meshes.
 //
 //   (1) polygons[s] is where surfaces[s] of the table lies: as many of one as of the other
@@ -84,7 +79,7 @@ struct Scene3 : SceneTable {
   std::vector<Mask3> masks;
   std::vector<LightPlace3> light_places;
   std::optional<Camera3> camera;
-  std::vector<Grid3> grids;  // one of them may be without a name; else names differ
+  std::vector<Grid3> grids;  // one alone may be without a name; else names differ
 
   // Puts a surface after all others.
   void add(Surface surface, Polygon3 polygon) {
@@ -101,8 +96,5 @@ struct Scene3 : SceneTable {
 // Throws InputError naming file, line and surface or light unless (2) to (6) hold; ContractViolation unless (1) does
 // and there are as many places as lights. COST: that of polygon_problem, and linear for each light.
 void validate(const Scene3& scene);
-
-// Returns what grids of a scene are called, for messages: 'floor', 'desk'.
-std::string names_of_grids(const Scene3& scene);
 
 }  // namespace hottel

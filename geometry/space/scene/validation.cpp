@@ -1,9 +1,9 @@
 #include "geometry/space/scene/validation.h"
 
 #include <algorithm>
-#include <set>
 #include <string>
 
+#include "geometry/grid_names.h"
 #include "geometry/name.h"
 #include "geometry/patch_bases.h"
 #include "geometry/space/scene/light_place_problem.h"
@@ -64,16 +64,6 @@ void validate_masks_without_patches(const Scene3& scene) {
                      "a mask sees what it masks alone: put the patch elsewhere, or leave out \"masks\"");
 }
 
-void validate_grids(const Scene3& scene) {
-  std::set<std::string> names;
-  for (const Grid3& grid : scene.grids) {
-    std::string problem = grid_problem(grid);
-    if (problem.empty() && (scene.grids.size() > 1 || !grid.name.empty())) problem = grid_name_problem_3(grid.name);
-    if (problem.empty() && !names.insert(grid.name).second) problem = "two are called " + quoted_name(grid.name);
-    if (!problem.empty()) throw InputError({scene.file, 0}, "grid: " + problem);
-  }
-}
-
 // (3) to (5), but for the table.
 void validate_rest(const Scene3& scene) {
   validate_masks(scene);
@@ -86,7 +76,7 @@ void validate_rest(const Scene3& scene) {
                        "light " + quoted_name(scene.lights[k].name) + " " + problem);
   if (const std::string problem = scene.camera ? camera_problem(*scene.camera) : ""; !problem.empty())
     throw InputError({scene.file, 0}, "camera: " + problem);
-  validate_grids(scene);
+  validate_grids(scene.grids, scene.file);
 }
 
 }  // namespace

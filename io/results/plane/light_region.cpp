@@ -6,7 +6,7 @@ namespace hottel {
 
 GridRegion region_of(const Grid2& grid) {
   const auto told = [](const Point2& p) { return std::array{written_double(p.x), written_double(p.y)}; };
-  return {told(grid.min), told(grid.max), grid.nx, grid.ny};
+  return {told(grid.min), told(grid.max), grid.nx, grid.ny, grid.name};
 }
 
 }  // namespace hottel

@@ -1,6 +1,5 @@
 #include "io/results/space/light_region.h"
 
-#include <algorithm>
 #include <array>
 
 #include "kernel/written_double.h"
@@ -20,12 +19,6 @@ GridRegion3 region_of(const Grid3& grid) {
 std::vector<std::size_t> array_shape(const Grid3& grid) {
   if (grid.is_volume()) return {grid.nw, grid.nv, grid.nu};
   return {grid.nv, grid.nu};
-}
-
-std::string grid_file(const std::string& file, const Grid3& grid) {
-  if (grid.name.empty()) return file;
-  const std::size_t ending = std::min(file.find('.'), file.size());
-  return file.substr(0, ending) + "-" + grid.name + file.substr(ending);
 }
 
 }  // namespace hottel

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include "geometry/space/scene/scene.h"
@@ -15,9 +14,5 @@ GridRegion3 region_of(const Grid3& grid);
 
 // Returns the shape of an array of one number a cell: (nv, nu), of a volume (nw, nv, nu).
 std::vector<std::size_t> array_shape(const Grid3& grid);
-
-// Returns the name of a file of a grid: that one, or with the name of a grid that has one before its ending:
-// illumination-NAME.npy.json.
-std::string grid_file(const std::string& file, const Grid3& grid);
 
 }  // namespace hottel

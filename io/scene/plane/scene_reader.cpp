@@ -1,9 +1,12 @@
 #include "io/scene/plane/scene_reader.h"
 
+#include <array>
+
 #include "geometry/name.h"
 #include "geometry/planarity.h"
 #include "geometry/plane/scene/patch_seats.h"
 #include "geometry/plane/scene/scene_entries.h"
+#include "io/scene/grid_list.h"
 #include "io/scene/json_fields.h"
 #include "io/scene/table_reader.h"
 #include "kernel/support/failure.h"
@@ -25,7 +28,10 @@ class PlaneReader {
     refuse_space_only(polygons, mesh, camera);
     if (sky) table_.read_sky(sky);
     if (closed) scene_.closed = read_boolean(closed, {"closed"});
-    if (grid) read_grid(grid);
+    if (grid)
+      scene_.grids = read_grids<Grid2>(
+          grid, std::array<std::string_view, 3>{"min", "max", "cells"},
+          [this](const JsonValue& value, const std::array<JsonValue, 3>& its) { return grid_of(value, its); });
     if (lights) table_.read_lights(lights, [this](const LightEntry& entry) { read_light(entry); });
     if (expect) table_.read_expectations(expect);
     if (unit) table_.read_unit(unit);
@@ -131,11 +137,12 @@ class PlaneReader {
     scene_.add_light(entry.light, std::move(place));
   }
 
-  void read_grid(const JsonValue& grid) {
-    const auto [min, max, cells] = read_members(grid, {"grid"}, std::array<std::string_view, 3>{"min", "max", "cells"});
-    require_member(min, "min", grid, {"grid"});
-    require_member(max, "max", grid, {"grid"});
-    require_member(cells, "cells", grid, {"grid"});
+  // From min, max and cells.
+  Grid2 grid_of(const JsonValue& value, const std::array<JsonValue, 3>& its) const {
+    const auto& [min, max, cells] = its;
+    require_member(min, "min", value, {"grid"});
+    require_member(max, "max", value, {"grid"});
+    require_member(cells, "cells", value, {"grid"});
     Grid2 result;
     result.min = read_point(min, {"grid", "min"});
     result.max = read_point(max, {"grid", "max"});
@@ -147,7 +154,7 @@ class PlaneReader {
       count = &result.ny;
     }
     if (const std::string problem = grid_problem(result); !problem.empty()) refuse(max, "grid: " + problem);
-    scene_.grid = std::move(result);
+    return result;
   }
 
   Scene2 scene_;

@@ -1,6 +1,7 @@
 #include "io/scene/space/scene_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <unordered_map>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "geometry/space/scene/near_plane.h"
 #include "geometry/space/scene/patch_seats.h"
 #include "geometry/space/scene/seams.h"
+#include "io/scene/grid_list.h"
 #include "io/scene/json_fields.h"
 #include "io/scene/space/mesh_reader.h"
 #include "io/scene/table_reader.h"
@@ -44,7 +46,10 @@ class SpaceReader3 {
     if (materials) table_.read_materials(materials);
     refuse_plane_only(edges, "edges");
     refuse_plane_only(polylines, "polylines");
-    if (grid) read_grids(grid);
+    if (grid)
+      scene_.grids = read_grids<Grid3>(
+          grid, std::array<std::string_view, 5>{"origin", "u", "v", "w", "cells"},
+          [this](const JsonValue& value, const std::array<JsonValue, 5>& its) { return grid_of(value, its); });
     if (lights) table_.read_lights(lights, [this](const LightEntry& entry) { read_light(entry); });
     if (polygons) read_polygons(polygons);
     if (mesh) read_meshes(mesh);
@@ -275,50 +280,19 @@ class SpaceReader3 {
     scene_.add_light(entry.light, std::move(place));
   }
 
-  // One grid, or a list of them with names.
-  void read_grids(const JsonValue& value) {
-    if (value.kind() != JsonKind::kArray) {
-      const auto [origin, u, v, w, cells] =
-          read_members(value, {"grid"}, std::array<std::string_view, 5>{"origin", "u", "v", "w", "cells"});
-      scene_.grids.push_back(grid_of(value, {origin, u, v, w, cells}));
-      return;
-    }
-    if (value.size() == 0) refuse(value, "grid: the list is empty");
-    for (const JsonValue item : value.items()) {
-      const auto [name, origin, u, v, w, cells] =
-          read_members(item, {"grid"}, std::array<std::string_view, 6>{"name", "origin", "u", "v", "w", "cells"});
-      require_member(name, "name", item, {"grid"});
-      Grid3 grid = grid_of(item, {origin, u, v, w, cells});
-      grid.name = grid_name(name);
-      scene_.grids.push_back(std::move(grid));
-    }
-  }
-
-  std::string grid_name(const JsonValue& value) {
-    std::string name = read_string(value, {"grid", "name"});
-    if (const std::string problem = grid_name_problem_3(name); !problem.empty())
-      refuse(value, "grid: a name " + problem);
-    if (std::ranges::find(scene_.grids, name, &Grid3::name) != scene_.grids.end())
-      refuse(value, "grid: two are called " + quoted_name(name));
-    return name;
-  }
-
-  // The members of a grid but its name; without w it is planar.
-  struct GridMembers {
-    JsonValue origin, u, v, w, cells;
-  };
-
-  Grid3 grid_of(const JsonValue& value, const GridMembers& its) {
-    require_member(its.origin, "origin", value, {"grid"});
-    require_member(its.u, "u", value, {"grid"});
-    require_member(its.v, "v", value, {"grid"});
-    require_member(its.cells, "cells", value, {"grid"});
+  // From origin, u, v, w and cells; without w it is planar.
+  Grid3 grid_of(const JsonValue& value, const std::array<JsonValue, 5>& its) {
+    const auto& [origin, u, v, w, cells] = its;
+    require_member(origin, "origin", value, {"grid"});
+    require_member(u, "u", value, {"grid"});
+    require_member(v, "v", value, {"grid"});
+    require_member(cells, "cells", value, {"grid"});
     Grid3 grid;
-    grid.origin = read_point(its.origin, {"grid", "origin"});
-    grid.u = read_point(its.u, {"grid", "u"}) - Point3{};
-    grid.v = read_point(its.v, {"grid", "v"}) - Point3{};
-    if (its.w) grid.w = read_point(its.w, {"grid", "w"}) - Point3{};
-    read_cells(its.cells, grid);
+    grid.origin = read_point(origin, {"grid", "origin"});
+    grid.u = read_point(u, {"grid", "u"}) - Point3{};
+    grid.v = read_point(v, {"grid", "v"}) - Point3{};
+    if (w) grid.w = read_point(w, {"grid", "w"}) - Point3{};
+    read_cells(cells, grid);
     if (const std::string problem = grid_problem(grid); !problem.empty()) refuse(value, "grid: " + problem);
     return grid;
   }

@@ -27,7 +27,10 @@ IlluminationGrid2 empty_grid(const Grid2& grid, std::uint32_t channels) {
 
 Grid2 grid_over(const Scene2& scene, std::uint32_t nx, std::uint32_t ny) {
   HOTTEL_REQUIRE(nx > 0 && ny > 0);
-  if (scene.grid) return {scene.grid->min, scene.grid->max, nx, ny};
+  if (!scene.grids.empty()) {
+    const Grid2& own = scene.grids.front();
+    return {own.min, own.max, nx, ny, own.name};
+  }
   Box2 box = bounding_box(scene);
   if (box.width() == 0 && box.height() == 0) box.max.x += 1;
   if (box.width() == 0) box.max.x += box.height() / Rational(Integer(static_cast<unsigned long>(ny))) * nx;
@@ -37,7 +40,7 @@ Grid2 grid_over(const Scene2& scene, std::uint32_t nx, std::uint32_t ny) {
 
 Grid2 default_grid(const Scene2& scene, std::uint32_t longer) {
   HOTTEL_REQUIRE(longer > 0);
-  if (scene.grid) return *scene.grid;
+  if (!scene.grids.empty()) return scene.grids.front();
   const Box2 box = bounding_box(scene);
   Rational extent = std::max(box.width(), box.height());
   if (extent == 0) extent = 1;

@@ -34,12 +34,12 @@ struct IlluminationGrid2 {
   std::span<double> of_cell(std::size_t cell) { return {values.data() + cell * channels, channels}; }
 };
 
-// Returns the region that the scene takes as nx times ny cells: its own grid's, else its bounding box. A box without
-// width or height is widened to that of one cell, or to 1 where both are missing.
+// Returns the region that the scene takes as nx times ny cells: the first of its own grids', else its bounding box. A
+// box without width or height is widened to that of one cell, or to 1 where both are missing.
 Grid2 grid_over(const Scene2& scene, std::uint32_t nx, std::uint32_t ny);
 
-// Returns the scene's own grid if it has one, else square cells over its bounding box: `longer` of them along its
-// longer side, from its lower left corner; in the other direction as many as cover it.
+// Returns the first of the scene's own grids if it has one, else square cells over its bounding box: `longer` of them
+// along its longer side, from its lower left corner; in the other direction as many as cover it.
 Grid2 default_grid(const Scene2& scene, std::uint32_t longer = 256);
 
 // Light on a grid, and the proven bound on its values where there is one: for "average" alone, of these radiosities.

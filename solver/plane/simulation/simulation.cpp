@@ -433,6 +433,7 @@ struct Simulation2::Version {
 
  private:
   Arranged arrangement() const;  // as rows are asked for
+  PlanRequest plan_request() const;
   void set_arrangements(const Version* before);
   void set_factors(const Version* before);
   void set_light(const Version* before);
@@ -466,16 +467,24 @@ Simulation2::Version::Version(ScenePtr its_scene, SimulationRequest2 its_request
   granularity = request.granularity.value_or(is_divided(*scene) || request.everything ? Granularity::kElement
                                                                                       : Granularity::kFace);
   set_arrangements(before);
-  const PlanRequest of_plan{
-      request.everything, request.wants_light ? std::uint64_t{grid.nx} * grid.ny : std::uint64_t{0},
-      request.wants_light ? std::max(grid.nx, grid.ny) : 0, request.light == LightKind2::kAverage};
-  plan = node_of("plan", PlanInput{parted.stage, of_plan}, old(before, &Version::plan),
+  plan = node_of("plan", PlanInput{parted.stage, plan_request()}, old(before, &Version::plan),
                  [](const PlanInput& input, const StageProgress& progress) {
                    return plan_scene(*input.prepared->get(progress), input.request);
                  });
   set_factors(before);
   set_light(before);
   set_findings(before);
+}
+
+PlanRequest Simulation2::Version::plan_request() const {
+  PlanRequest result{.everything = request.everything, .is_average = request.light == LightKind2::kAverage};
+  if (!request.wants_light) return result;
+  const bool is_of_one = request.grid || scene->grids.empty();
+  for (const Grid2& each : is_of_one ? std::vector{grid} : scene->grids) {
+    result.grid_cells += each.cells();
+    result.grid_pixels += picture_pixels_2(each);
+  }
+  return result;
 }
 
 void Simulation2::Version::set_arrangements(const Version* before) {

@@ -45,7 +45,7 @@ struct SimulationRequest2 {
   Solver solver = Solver::kAuto;
   std::optional<int> iterations = {};  // of solvers that iterate, as in RadiosityOptions
   std::optional<double> until = {};
-  std::optional<Grid2> grid = {};  // nothing: default_grid(scene)
+  std::optional<Grid2> grid = {};  // nothing: default_grid(scene); the plan then counts all grids of the scene
   bool wants_light = true;         // whether the plan counts it; light is made when it is asked for
   LightKind2 light = LightKind2::kPoint;
   LightTest lights = LightTest::kExact;  // how elements are lit by the scene's lights; light in the rooms stays exact

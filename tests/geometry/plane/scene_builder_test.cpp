@@ -79,7 +79,7 @@ void expect_same(Scene2 built, Scene2 read) {
   EXPECT_EQ(built.sky_emission, read.sky_emission);
   EXPECT_EQ(built.sky_emission.is_scalar, read.sky_emission.is_scalar);
   EXPECT_EQ(built.closed, read.closed);
-  EXPECT_EQ(built.grid, read.grid);
+  EXPECT_EQ(built.grids, read.grids);
   EXPECT_EQ(built.about, read.about);
 }
 
@@ -109,6 +109,21 @@ TEST(SceneBuilder2, GivesTheSceneOfAFileOfTheSameEntries) {
   for (const Surface& surface : builder.build().surfaces) EXPECT_EQ(surface.line, 0);
   EXPECT_EQ(builder.build().file, "scene made in code");
   expect_same(parse_scene_2(write_scene_2(builder.build()), "written"), read);
+}
+
+TEST(SceneBuilder2, HasOneGridOrSeveralWithNames) {
+  SceneBuilder2 builder = with_white();
+  builder.add_edge("wall", {0, 0}, {1, 0}, "white").add_grid("desk", {0, 0}, {1, 1}, 2, 3);
+  builder.add_grid("floor", {0, 0}, {"1/3", 1}, 4, 5);
+  EXPECT_EQ(builder.build().grids,
+            (std::vector<Grid2>{{{0, 0}, {1, 1}, 2, 3, "desk"}, {{0, 0}, {Rational(1, 3), 1}, 4, 5, "floor"}}));
+  EXPECT_EQ(parse_scene_2(write_scene_2(builder.build()), "written").grids, builder.build().grids);
+  EXPECT_THROW(builder.add_grid("desk", {0, 0}, {1, 1}, 1, 1), InputError);
+  EXPECT_THROW(builder.add_grid("", {0, 0}, {1, 1}, 1, 1), InputError);
+  EXPECT_THROW(builder.add_grid("a:b", {0, 0}, {1, 1}, 1, 1), InputError);
+  EXPECT_EQ(builder.build().grids.size(), 2u);
+  EXPECT_EQ(builder.set_grid({0, 0}, {1, 1}, 1, 1).build().grids, (std::vector<Grid2>{{{0, 0}, {1, 1}, 1, 1}}));
+  EXPECT_THROW(builder.add_grid("desk", {0, 0}, {1, 1}, 1, 1), InputError) << "beside one without a name";
 }
 
 TEST(SceneBuilder2, MayGoOnAfterBuild) {

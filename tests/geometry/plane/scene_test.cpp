@@ -153,10 +153,26 @@ TEST(ValidateScene2, RefusesElementsAndGridsOutOfRange) {
   scene.surfaces[0].elements = 0;
   EXPECT_EQ(refusal(scene), "memory:5: surface 'a' has 0 elements; it may have 1 to 1000000");
   scene.surfaces[0].elements = 1;
-  scene.grid = Grid2{{0, 0}, {1, 1}, 0, 1};
+  scene.grids = {Grid2{{0, 0}, {1, 1}, 0, 1}};
   EXPECT_EQ(refusal(scene), "memory: grid: cells must be integers from 1 to 16384");
-  scene.grid = Grid2{{0, 0}, {1, 0}, 1, 1};
+  scene.grids = {Grid2{{0, 0}, {1, 0}, 1, 1}};
   EXPECT_EQ(refusal(scene), "memory: grid: max must be greater than min in both coordinates");
+}
+
+TEST(ValidateScene2, RefusesSeveralGridsUnlessEachHasANameOfItsOwn) {
+  Scene2 scene = two_edges();
+  const auto named = [&](const std::vector<std::string>& names) {
+    scene.grids.clear();
+    for (const std::string& name : names) scene.grids.push_back({{0, 0}, {1, 1}, 2, 1, name});
+    return refusal(scene);
+  };
+  EXPECT_EQ(named({""}), "");
+  EXPECT_EQ(named({"desk"}), "");
+  EXPECT_EQ(named({"desk", "floor"}), "");
+  EXPECT_EQ(named({"desk", ""}), "memory: grid: a name must not be empty");
+  EXPECT_EQ(named({"desk", "desk"}), "memory: grid: two are called 'desk'");
+  EXPECT_EQ(named({"a|b"}),
+            "memory: grid: a name must not contain / \\ : * ? \" < > or |: it is part of the names of files");
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ constexpr RefinementLevels kLevels{.everywhere = 0, .at_borders = 4};
 
 Scene2 lighthouse() {
   Scene2 scene = read_scene_2(std::string(HOTTEL_SOURCE_DIR) + "/scenes/lights/lighthouse.json");
-  scene.grid->nx = 12;
-  scene.grid->ny = 8;
+  scene.grids.front().nx = 12;
+  scene.grids.front().ny = 8;
   return scene;
 }
 

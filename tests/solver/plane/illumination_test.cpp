@@ -259,10 +259,13 @@ TEST(DefaultGrid, HasSquareCellsOverTheBoundingBox) {
   grid = default_grid(scene);
   EXPECT_EQ(grid.ny, 199u);  // 3.1 / (4 / 256) = 198.4
   EXPECT_EQ(grid.max.y, 2 + Rational(199, 64));
-  scene.grid = Grid2{{0, 0}, {1, 2}, 3, 4};
+  scene.grids = {Grid2{{0, 0}, {1, 2}, 3, 4}};
   EXPECT_EQ(default_grid(scene).nx, 3u);
   EXPECT_EQ(grid_over(scene, 10, 20).max, (Point2{1, 2}));
   EXPECT_EQ(grid_over(scene, 10, 20).ny, 20u);
+  scene.grids = {{{0, 0}, {1, 2}, 3, 4, "first"}, {{5, 5}, {6, 6}, 1, 1, "second"}};
+  EXPECT_EQ(default_grid(scene), scene.grids.front());
+  EXPECT_EQ(grid_over(scene, 10, 20), (Grid2{{0, 0}, {1, 2}, 10, 20, "first"}));
 }
 
 TEST(DefaultGrid, HasCellsEvenForFlatAndEmptyScenes) {

@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -234,6 +236,23 @@ TEST(Simulation, RefusesAnInvalidScene) {
   EXPECT_THROW(Simulation2{scene}, InputError);
   EXPECT_THROW(simulated_room().with_scene(scene), InputError);
   EXPECT_THROW(simulated_room().with_request({.grid = Grid2{{0, 0}, {0, 1}, 2, 2}}), UsageError);
+}
+
+TEST(Simulation, LightsTheFirstOfSeveralGridsAndPlansThemAll) {
+  Scene2 scene = room_to_edit();
+  scene.grids = {{{0, 0}, {1, 1}, 3, 4, "first"}, {{1, 0}, {2, 1}, 5, 7, "second"}};
+  const Simulation2 simulation(scene);
+  EXPECT_EQ(simulation.light()->grid.grid, scene.grids[0]);
+  const auto cells = [](const Simulation2& of) {
+    const auto plan = of.plan();
+    return std::ranges::find(plan->effects(), std::string(Plan::kIllumination), &PlannedEffect::effect)->reason;
+  };
+  EXPECT_EQ(cells(simulation), "47 cells");
+  const Simulation2 second = simulation.with_request({.grid = scene.grids[1]});
+  EXPECT_EQ(cells(second), "35 cells");
+  EXPECT_EQ(second.light()->grid.grid, scene.grids[1]);
+  EXPECT_EQ(second.radiosities(), simulation.radiosities());
+  EXPECT_EQ(second.light()->grid.values, Simulation2(scene, {.grid = scene.grids[1]}).light()->grid.values);
 }
 
 TEST(Simulation, HasAPictureOnlyWithAPainter) {

@@ -15,10 +15,10 @@ constexpr double kMostZoom = 1e4;
 void Camera2::fit(const Scene2& scene, FrameSize size, double left_right, double top, double bottom) {
   Box2 box{{0, 0}, {1, 1}};
   if (!scene.edges.empty()) box = bounding_box(scene);
-  if (scene.grid) {
-    if (scene.edges.empty()) box = Box2::of(scene.grid->min);
-    box.include(scene.grid->min);
-    box.include(scene.grid->max);
+  if (scene.edges.empty() && !scene.grids.empty()) box = Box2::of(scene.grids.front().min);
+  for (const Grid2& grid : scene.grids) {
+    box.include(grid.min);
+    box.include(grid.max);
   }
   const std::array<double, 2> low = to_doubles(box.min), high = to_doubles(box.max);
   const double extent = std::max(high[0] - low[0], high[1] - low[1]);

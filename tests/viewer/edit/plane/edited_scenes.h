@@ -30,7 +30,7 @@ inline std::string difference(const Scene2& a, const Scene2& b) {
         first.emission.is_scalar != second.emission.is_scalar)
       return "channels of material " + first.name;
   }
-  if (!(a.sky_emission == b.sky_emission) || a.grid != b.grid || a.closed != b.closed || a.about != b.about)
+  if (!(a.sky_emission == b.sky_emission) || a.grids != b.grids || a.closed != b.closed || a.about != b.about)
     return "sky, grid, closed or about";
   return a.expect.size() != b.expect.size() ? "expectations" : "";
 }

@@ -338,7 +338,7 @@ TEST(Desk2, DragsVerticesEdgesAndGroups) {
 
 TEST(Desk2, LightFollowsADragCoarseAndIsExactAtRest) {
   Scene2 scene = small_room();
-  scene.grid = grid_over(scene, 100, 75);
+  scene.grids = {grid_over(scene, 100, 75)};
   Hand hand(scene);
   hand.play("press 2.5,1\nmove 2.5,0.8");
   EXPECT_TRUE(hand.desk->editor().is_dragging());
@@ -348,7 +348,7 @@ TEST(Desk2, LightFollowsADragCoarseAndIsExactAtRest) {
   hand.play("release 2.5,0.8");
   EXPECT_EQ(hand.desk->looks().state().depth, LiveDepth2::kFull);
   EXPECT_EQ(hand.desk->looks().state().scene, hand.desk->editor().scene());
-  EXPECT_EQ(hand.desk->looks().state().light->grid.grid, *scene.grid);
+  EXPECT_EQ(hand.desk->looks().state().light->grid.grid, scene.grids.front());
   EXPECT_THAT(hand.play("hash"), HasSubstr("factors.csv "));
 }
 

@@ -35,7 +35,7 @@ std::shared_ptr<const Scene2> shared(Scene2 scene) { return std::make_shared<con
 // A grid beyond kCoarseCells, so that there is a coarse state before the full one.
 Scene2 room_with_many_cells() {
   Scene2 scene = small_room();
-  scene.grid = grid_over(scene, 100, 75);
+  scene.grids = {grid_over(scene, 100, 75)};
   return scene;
 }
 
@@ -175,11 +175,11 @@ TEST(LiveScene2, IsShownCoarseFirst) {
   const auto states = watched.states();
   ASSERT_GE(states.size(), 1u);
   EXPECT_EQ(states[0]->depth, LiveDepth2::kCoarse);
-  EXPECT_EQ(states[0]->light->grid.grid, coarse_grid_2(*scene.grid, kCoarseCells));
+  EXPECT_EQ(states[0]->light->grid.grid, coarse_grid_2(scene.grids.front(), kCoarseCells));
   EXPECT_EQ(states[0]->factors, state->factors);  // all but the grid is as in the full one
   EXPECT_EQ(states[0]->radiosities, state->radiosities);
   EXPECT_EQ(state->depth, LiveDepth2::kFull);
-  EXPECT_EQ(state->light->grid.grid, *scene.grid);
+  EXPECT_EQ(state->light->grid.grid, scene.grids.front());
   EXPECT_GT(state->seconds, 0);
 }
 
@@ -190,7 +190,7 @@ TEST(LiveScene2, IsNotMadeFurtherThanCoarseUntilItIsSetAgain) {
   ASSERT_TRUE(watched.live().wait(kPatience));
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
   EXPECT_EQ(watched.live().state()->depth, LiveDepth2::kCoarse);
-  EXPECT_EQ(watched.live().state()->light->grid.grid.nx, coarse_grid_2(*scene.grid, kCoarseCells).nx);
+  EXPECT_EQ(watched.live().state()->light->grid.grid.nx, coarse_grid_2(scene.grids.front(), kCoarseCells).nx);
   EXPECT_EQ(watched.states().size(), 1u);
   watched.live().set(shared(scene), LiveDepth2::kFull);
   ASSERT_TRUE(watched.live().wait(kPatience));
@@ -596,7 +596,7 @@ TEST(Camera2, PanMovesByThatManyPixels) {
 
 TEST(Camera2, FitShowsTheWholeSceneWithItsGrid) {
   Scene2 scene = small_room();
-  scene.grid->max = {9, 4};
+  scene.grids.front().max = {9, 4};
   for (const FrameSize size : {kSize, FrameSize{300, 900}, FrameSize{2000, 260}}) {
     Camera2 camera;
     camera.fit(scene, size, 40, 60, 90);
