@@ -31,7 +31,7 @@ std::vector<T> list_of(std::string_view bytes) {
 Scene2 without_lights(Scene2 scene) {
   scene.lights.clear();
   scene.light_places.clear();
-  scene.grid.reset();
+  scene.grids.clear();
   scene.expect.clear();
   return scene;
 }
