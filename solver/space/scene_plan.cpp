@@ -33,8 +33,9 @@ constexpr double kSecondsPerPixel = 1.5e-7;
 constexpr double kSecondsPerGathered = 1.5e-6;  // of a point where light is gathered, by polygon
 constexpr double kSecondsPerRun = 2.1e-5;       // of the same, where radiosity runs over elements; by their number
 constexpr double kPowerOfRuns = 0.3;            // to this power: most are seen whole, and far away
-constexpr double kGatheredPoints = 1.6;         // of a picture, by its pixels
-constexpr double kPowerOfPixels = 0.7;          // to this power: points stand close where light changes, along lines
+constexpr double kGatheredPoints = 1100;        // of a picture, by its pixels
+constexpr double kPowerOfPixels = 0.28;         // to this power: points stand close where light changes, along lines
+constexpr double kMostGathered = 2;             // and at most so many for each pixel
 constexpr double kPairsOfACell = 2;  // what averages over a cell cost over pairs of a row: less of it is clear
 // Pairs of faces that are looked at to tell how many face each other.
 constexpr std::size_t kMostLookedAt = 2000;
@@ -116,8 +117,8 @@ double seconds_per_gathered(const Scene3& scene, std::uint64_t rows) {
 void add_picture(const Scene3& scene, const PlanRequest& request, std::uint64_t rows, PlanDraft& draft) {
   const Camera3 usual, &camera = scene.camera ? *scene.camera : usual;
   const double pixels = static_cast<double>(camera.width) * camera.height;
-  const double gathered =
-      request.is_gathered ? kGatheredPoints * std::pow(pixels, kPowerOfPixels) * seconds_per_gathered(scene, rows) : 0;
+  const double points = std::min(kGatheredPoints * std::pow(pixels, kPowerOfPixels), kMostGathered * pixels);
+  const double gathered = request.is_gathered ? points * seconds_per_gathered(scene, rows) : 0;
   const std::string who = scene.camera ? "what the camera sees" : "what a camera chosen for the scene sees";
   draft.add(Plan::kPicture, !scene.surfaces.empty(), who + (request.is_gathered ? ", its light gathered" : ""),
             "the scene is empty", pixels * kSecondsPerPixel + gathered);

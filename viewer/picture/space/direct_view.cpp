@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -17,13 +18,50 @@
 namespace hottel {
 namespace {
 
-// The part of a square pixel in which a value is positive that is `middle` in its middle and changes so much across.
-double positive_part(double middle, double across, double down) {
-  if (std::fabs(middle) >= (std::fabs(across) + std::fabs(down)) / 2) return middle > 0 ? 1 : 0;
-  const PixelPolygon square{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
-  const PixelPolygon part = cut_convex(
-      square, [&](const Pixel& p) { return middle + across * p.x + down * p.y; }, place_between_3);
-  return part.size() > 2 ? std::fabs(pixel_area_doubled_3(part)) / 2 : 0;
+// What a pixel has of the border of a beam: that border is taken as straight in parts of it that are so small that it
+// bends by less than kMostBend of what lies between its corners.
+constexpr double kMostBend = 0.01;
+constexpr int kMostHalvings = 10;
+
+// The integral over what of a convex polygon is in a beam. within: how far a place is within its border.
+template <class Within, class Irradiance>
+double in_beam(const PixelPolygon& polygon, const Within& within, const Irradiance& irradiance, int halvings) {
+  if (polygon.size() < 3) return 0;
+  Pixel low = polygon[0], high = low;
+  double least = std::numeric_limits<double>::infinity(), most = -least, sum = 0;
+  for (const Pixel& p : polygon) {
+    const double at = within(p);
+    least = std::min(least, at);
+    most = std::max(most, at);
+    sum += at;
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  const double bend = std::fabs(within(middle_of_corners_3(polygon)) - sum / static_cast<double>(polygon.size()));
+  if (most < -bend) return 0;
+  const bool has_border = least < bend;
+  if (has_border && bend > kMostBend * (most - least) && halvings < kMostHalvings) {
+    const bool is_wide = high.x - low.x > high.y - low.y;
+    const auto half = [&](double sign) {
+      return cut_convex(
+          polygon,
+          [&](const Pixel& p) { return sign * (is_wide ? p.x - (low.x + high.x) / 2 : p.y - (low.y + high.y) / 2); },
+          place_between_3);
+    };
+    return in_beam(half(-1), within, irradiance, halvings + 1) + in_beam(half(1), within, irradiance, halvings + 1);
+  }
+  const PixelPolygon lit = has_border ? cut_convex(polygon, within, place_between_3) : polygon;
+  double result = 0;
+  for (std::size_t k = 2; k < lit.size(); ++k) {
+    const PixelPolygon triangle{lit[0], lit[k - 1], lit[k]};
+    result += std::fabs(pixel_area_doubled_3(triangle)) / 2 * irradiance(middle_of_corners_3(triangle));
+  }
+  return result;
+}
+
+PixelPolygon square_of(const PixelCover3& cover) {
+  const double x = cover.x, y = cover.y;
+  return {{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}};
 }
 
 // What a lamp or a sun sends to places that it reaches, in doubles; for the power 1.
@@ -80,16 +118,17 @@ class DirectView {
     const PixelPolygon picture = projection_.picture(std::move(corners));
     if (picture.size() < 3) return;
     const PixelPolygon both = common_polygon_3(seen.outline, picture);
-    const auto way = [&](double x, double y) { return plane.way(projection_.direction({x, y})); };
+    const auto way = [&](const Pixel& p) { return plane.way(projection_.direction(p)); };
+    const auto within = [&](const Pixel& p) { return sender.within(way(p)); };
+    const auto irradiance_at = [&](const Pixel& p) { return sender.irradiance(way(p), plane.normal()); };
     for_each_covered_pixel(both, pixels_.width, pixels_.height, [&](const PixelCover3& cover) {
-      double part = cover.part;
-      const Pixel p = cover.middle;
-      if (lit.beam == LitPart3::Beam::kPart)
-        part *= positive_part(sender.within(way(p.x, p.y)),
-                              sender.within(way(p.x + 0.5, p.y)) - sender.within(way(p.x - 0.5, p.y)),
-                              sender.within(way(p.x, p.y + 0.5)) - sender.within(way(p.x, p.y - 0.5)));
-      if (!(part > 0)) return;
-      const double irradiance = part * sender.irradiance(way(p.x, p.y), plane.normal());
+      if (!(cover.part > 0)) return;
+      const bool is_cut = lit.beam == LitPart3::Beam::kPart;
+      const double irradiance =
+          !is_cut ? cover.part * irradiance_at(cover.middle)
+                  : in_beam(cover.part == 1 ? square_of(cover) : common_polygon_3(square_of(cover), both), within,
+                            irradiance_at, 0);
+      if (!(irradiance > 0)) return;
       double* pixel = pixels_.values.data() + (std::size_t{cover.y} * pixels_.width + cover.x) * pixels_.channels;
       for (std::size_t c = 0; c < pixels_.channels; ++c) pixel[c] += irradiance * reflected[c];
     });

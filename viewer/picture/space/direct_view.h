@@ -29,7 +29,7 @@ ElementPaint3 reflected_paint_3(const PreparedScene3& prepared, const ElementTab
 // Adds to the pixels of a camera what faces reflect of that light, each point by itself.
 //
 //   (1) shadows end where they do: parts of faces that are lit are cut exactly (DirectLight3::lit_parts), and pixels
-//       have them by area. The border of a beam is taken as straight within a pixel
+//       have them by area. The border of a beam is taken as straight in parts of pixels in which it all but is
 //   (2) over what is seen of an element it integrates what its share of the light says
 //
 // seen: all that the camera sees, as it is told by seen_sides_3. REQUIRES pixels of as many channels as the light has;

@@ -20,6 +20,9 @@ namespace hottel {
 namespace {
 
 constexpr double kFirstCell = 16, kLeastCell = 1;  // pixels
+// How far points around and in the middle of a cell may be off, of what a picture may be: halfway between them it is a
+// quarter of that where light bends evenly. Points there are asked whether it is.
+constexpr double kMostAround = 2, kMostBetween = 0.5;
 constexpr double kInward = 1e-4;  // how far points are moved to the middle of what is seen, off edges of the scene
 constexpr double kSamePlace = 0x1p-20;  // pixels
 
@@ -133,6 +136,7 @@ struct Fan {
   std::vector<std::uint32_t> ring;
   std::optional<std::array<std::size_t, 2>> ends;  // of the line that halves the cell, in the ring: its middle is that
   std::uint32_t middle = 0;
+  std::vector<std::uint32_t> spokes;  // halfway between the middle and each corner; none where the cell is not wide
 };
 
 class GatheredView {
@@ -217,9 +221,16 @@ class GatheredView {
     std::vector<Fan> fans;
     for (SeenCell& cell : cells) fans.push_back(fan_of(cell));
     points_.gather();
+    const auto is_least = [&cells](std::size_t k) { return cells[k].longer() <= kLeastCell; };
+    std::vector<char> is_told(cells.size());
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      is_told[k] = is_least(k) || off(fans[k]) <= kMostAround * most_steps_;
+      if (is_told[k] && !is_least(k)) add_spokes(cells[k].seen, fans[k]);
+    }
+    points_.gather();
     std::vector<SeenCell> rest;
     for (std::size_t k = 0; k < cells.size(); ++k) {
-      if (cells[k].longer() <= kLeastCell || off(fans[k]) <= most_steps_) {
+      if (is_told[k] && (is_least(k) || off_between(fans[k]) <= kMostBetween * most_steps_)) {
         draw(fans[k]);
         continue;
       }
@@ -228,6 +239,13 @@ class GatheredView {
           rest.push_back(std::move(half));
     }
     return rest;
+  }
+
+  void add_spokes(std::uint32_t seen, Fan& fan) {
+    for (std::size_t k = 0; k < fan.ring.size(); k += 2) {
+      const Pixel middle = points_.place(fan.middle), corner = points_.place(fan.ring[k]);
+      fan.spokes.push_back(points_.at(seen, place_between_3(middle, corner, 0.5)));
+    }
   }
 
   // Makes the rectangle smaller until the line that halves it meets the outline.
@@ -267,6 +285,14 @@ class GatheredView {
     return most;
   }
 
+  // The same of what is halfway between the middle and the corners.
+  double off_between(const Fan& fan) const {
+    double most = 0;
+    for (std::size_t k = 0; k < fan.spokes.size(); ++k)
+      most = std::max(most, off(fan.spokes[k], fan.middle, fan.ring[2 * k]));
+    return most;
+  }
+
   // The same of a point on the straight line between two others, by how far it is from each.
   double off(std::uint32_t point, std::uint32_t a, std::uint32_t b) const {
     const double to_a = length(points_.way(point) - points_.way(a)), to_b = length(points_.way(point) - points_.way(b));
@@ -285,14 +311,26 @@ class GatheredView {
   }
 
   void draw(const Fan& fan) {
-    for (std::size_t k = 0; k < fan.ring.size(); ++k) {
-      const std::array<std::uint32_t, 3> corners{fan.middle, fan.ring[k], fan.ring[(k + 1) % fan.ring.size()]};
-      const PixelPolygon outline{points_.place(corners[0]), points_.place(corners[1]), points_.place(corners[2])};
-      if (std::fabs(pixel_area_doubled_3(outline)) < kLeastArea) continue;
-      const Shade3 shade(projection_, {points_.way(corners[0]), points_.way(corners[1]), points_.way(corners[2])},
-                         {points_.value(corners[0]), points_.value(corners[1]), points_.value(corners[2])});
-      painter_.add_blended(outline, shade);
+    const std::size_t n = fan.ring.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::uint32_t from = fan.ring[k], to = fan.ring[(k + 1) % n];
+      if (fan.spokes.empty()) {
+        draw({fan.middle, from, to});
+        continue;
+      }
+      const bool is_corner = k % 2 == 0;
+      const std::uint32_t spoke = fan.spokes[is_corner ? k / 2 : (k + 1) % n / 2];
+      draw({fan.middle, is_corner ? spoke : from, is_corner ? to : spoke});
+      draw({spoke, from, to});
     }
+  }
+
+  void draw(const std::array<std::uint32_t, 3>& corners) {
+    const PixelPolygon outline{points_.place(corners[0]), points_.place(corners[1]), points_.place(corners[2])};
+    if (std::fabs(pixel_area_doubled_3(outline)) < kLeastArea) return;
+    const Shade3 shade(projection_, {points_.way(corners[0]), points_.way(corners[1]), points_.way(corners[2])},
+                       {points_.value(corners[0]), points_.value(corners[1]), points_.value(corners[2])});
+    painter_.add_blended(outline, shade);
   }
 
   static constexpr double kLeastArea = 1e-9;  // square pixels
@@ -380,25 +418,6 @@ Gathering3 gathered_view_3(const GatheredScene3& scene, const Camera3& camera, c
 void gathered_tiles_3(const GatheredScene3& scene, const Camera3& camera, const StepsBetween3& steps_between,
                       double most_steps, const std::function<void(PixelTile3)>& take) {
   GatheredView(scene, camera, steps_between, most_steps).run_tiles(take);
-}
-
-Gathering3 sampled_view_3(const GatheredScene3& scene, const Camera3& camera) {
-  const Projection3 projection(camera);
-  const std::vector<SeenPlane> seen = seen_of(scene, camera);
-  GatheredPoints points(scene, seen, projection);
-  PixelPainter3 painter(scene.paint, camera);
-  std::vector<std::pair<std::uint32_t, PixelCover3>> covers;
-  for (std::uint32_t k = 0; k < seen.size(); ++k) {
-    if (!seen[k].element)
-      painter.add(SeenPart3{seen[k].outline, std::nullopt, nullptr, {}});
-    else
-      for_each_covered_pixel(seen[k].outline, camera.width, camera.height, [&](const PixelCover3& cover) {
-        if (cover.part > 0) covers.emplace_back(points.at(k, cover.middle), cover);
-      });
-  }
-  points.gather();
-  for (const auto& cover : covers) painter.add(cover.second, points.value(cover.first));
-  return {painter.finished(), points.size()};
 }
 
 }  // namespace hottel

@@ -67,8 +67,9 @@ struct Gathering3 {
 // Returns the picture of a camera; a pixel is the mean of what is shown over its area.
 //
 //   (1) what hides what, for the camera and for each point, is decided exactly: a shadow ends where it does
-//   (2) each polygon that is seen is cut along lines between pixels, until what its corners tell of points between them
-//       is off by at most so many steps there, as those points say themselves. The error elsewhere is an estimate
+//   (2) each polygon that is seen is cut along lines between pixels, down to squares of a pixel, until what points
+//       around a part and in its middle tell of points halfway between them is off by at most half of so many steps, as
+//       those points say themselves. The error elsewhere is an estimate
 //   (3) direct light, where it is gathered, has its borders within a pixel
 //   (4) the same for any number of threads
 //
@@ -88,8 +89,5 @@ struct PixelTile3 {
 // stop.
 void gathered_tiles_3(const GatheredScene3& scene, const Camera3& camera, const StepsBetween3& steps_between,
                       double most_steps, const std::function<void(PixelTile3)>& take);
-
-// The same with a point for each pixel and polygon that is seen in it, in the middle of what that covers.
-Gathering3 sampled_view_3(const GatheredScene3& scene, const Camera3& camera);
 
 }  // namespace hottel
