@@ -2,10 +2,14 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
+
+#include "kernel/support/failure.h"
 
 namespace hottel {
 
@@ -93,6 +97,35 @@ class SharedWork {
   virtual WorkTurn<Done> next() = 0;
   // Ends it for all threads: one of them has failed.
   virtual void stop() = 0;
+};
+
+// Who takes part in jobs of one kind. What others find must be what is found here, bit for bit.
+template <class Job, class Done>
+class WorkCrew {
+ public:
+  virtual ~WorkCrew() = default;
+  // Begins to share; null where this job is done here alone. From any thread. REQUIRES that the job outlives the work.
+  virtual std::unique_ptr<SharedWork<Done>> begin(const Job& job) = 0;
+};
+
+// While it lives, this crew takes part in the jobs of all threads of this process. Results do not depend on it.
+// Throws ContractViolation where there is one already.
+template <class Crew>
+class CrewScope {
+ public:
+  explicit CrewScope(Crew& crew) {
+    Crew* none = nullptr;
+    HOTTEL_REQUIRE(crew_.compare_exchange_strong(none, &crew));
+  }
+  ~CrewScope() { crew_ = nullptr; }
+  CrewScope(const CrewScope&) = delete;
+  CrewScope& operator=(const CrewScope&) = delete;
+
+  // Null where there is none.
+  static Crew* crew() { return crew_; }
+
+ private:
+  static inline std::atomic<Crew*> crew_{nullptr};
 };
 
 // All tasks are done here.

@@ -34,8 +34,8 @@ int lead(Channel& channel, int argc, const char* const* argv) {
   LedPairCrew3 space(leader, kSpace);
   int code = 0;
   {
-    const SweepCrewScope2 in_the_plane(plane);
-    const PairCrewScope3 in_space(space);
+    const CrewScope<SweepCrew2> in_the_plane(plane);
+    const CrewScope<PairCrew3> in_space(space);
     Commands commands;
     add_all_commands(commands);
     commands.set_threads(std::max(1, threads_allowed() / channel.ranks_on_these_cores()));

@@ -28,7 +28,11 @@ std::vector<TreeNode> take_leaves(MessageReader& reader) {
 }
 
 template <class SomeScene>
-void put_any(const SomeScene& scene, MessageWriter& writer) {
+void put_any(SomeScene& scene, MessageWriter& writer) {
+  scene.lights.clear();
+  scene.light_places.clear();
+  scene.grids.clear();
+  scene.expect.clear();
   writer.put_text(binary_scene(scene));
   std::vector<std::uint32_t> with_trees;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
@@ -42,8 +46,11 @@ void put_any(const SomeScene& scene, MessageWriter& writer) {
 
 }  // namespace
 
-void put_scene(const Scene2& scene, MessageWriter& writer) { put_any(scene, writer); }
-void put_scene(const Scene3& scene, MessageWriter& writer) { put_any(scene, writer); }
+void put_scene(Scene2 scene, MessageWriter& writer) { put_any(scene, writer); }
+void put_scene(Scene3 scene, MessageWriter& writer) {
+  scene.camera.reset();
+  put_any(scene, writer);
+}
 
 Scene take_scene(MessageReader& reader) {
   Scene scene = parse_binary_scene(reader.take_text(), "the scene of rank 0");

@@ -10,9 +10,10 @@
 
 namespace hottel {
 
-// Writes a scene, with the trees below its elements. read_scene_message() gives the same one, exactly.
-void put_scene(const Scene2& scene, MessageWriter& writer);
-void put_scene(const Scene3& scene, MessageWriter& writer);
+// Writes what view factors depend on of a scene, with the trees below its elements: a scene whose lights move stays the
+// same one. take_scene() gives just that.
+void put_scene(Scene2 scene, MessageWriter& writer);
+void put_scene(Scene3 scene, MessageWriter& writer);
 Scene take_scene(MessageReader& reader);
 
 }  // namespace hottel

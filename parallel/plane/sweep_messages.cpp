@@ -27,15 +27,6 @@ std::vector<T> list_of(std::string_view bytes) {
   return list;
 }
 
-// What sweeps do not depend on is not sent: so a scene whose lights move stays the same one.
-Scene2 without_lights(Scene2 scene) {
-  scene.lights.clear();
-  scene.light_places.clear();
-  scene.grids.clear();
-  scene.expect.clear();
-  return scene;
-}
-
 // What shows that two processes have the same elements: their lengths to the last bit.
 void put_lengths(const PreparedScene2& prepared, const ElementTable2& table, MessageWriter& writer) {
   const Arrangement2& arrangement = prepared.arrangement;
@@ -62,7 +53,7 @@ std::shared_ptr<const PreparedScene2> prepared_scene(std::string_view bytes, Rec
 std::string sweep_job_message_2(const SweepJob2& job) {
   MessageWriter scene, writer, lengths;
   scene.put(is_cut(job.prepared.division) ? Divided2::kYes : Divided2::kNo);
-  put_scene(without_lights(job.prepared.scene), scene);
+  put_scene(job.prepared.scene, scene);
   put_lengths(job.prepared, job.table, lengths);
   writer.put_text(scene.bytes());
   writer.put(job.granularity);

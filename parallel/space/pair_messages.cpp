@@ -38,16 +38,6 @@ PairRanges take_ranges(MessageReader& reader) {
   return known;
 }
 
-// What pairs do not depend on is not sent: so a scene whose lights move stays the same one.
-Scene3 without_lights(Scene3 scene) {
-  scene.lights.clear();
-  scene.light_places.clear();
-  scene.grids.clear();
-  scene.camera.reset();
-  scene.expect.clear();
-  return scene;
-}
-
 // What shows that two processes have the same elements: their areas to the last bit, and how many patches each has.
 void put_extents(const ElementTable3& table, MessageWriter& writer) {
   writer.put(table.count(), std::uint64_t{table.parts().size()});
@@ -108,7 +98,7 @@ std::shared_ptr<const PreparedScene3> prepared_scene(std::string_view bytes, Rec
 std::string pair_job_message_3(const PairJob3& job) {
   const PairSumRequest3& request = job.request;
   MessageWriter scene, writer, extents;
-  put_scene(without_lights(job.prepared.scene), scene);
+  put_scene(job.prepared.scene, scene);
   put_extents(job.table, extents);
   writer.put_text(scene.bytes());
   writer.put(job.granularity);

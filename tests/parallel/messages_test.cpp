@@ -80,7 +80,7 @@ TEST(Messages, CarryPairsInSpaceBitForBit) {
       const ExchangeRequest request{.granularity = granularity, .sky = SkyBy::kIntegral};
       const ExchangeMatrix expected = exact_exchange(prepared, request);
       CrewThroughBytes3 crew(5);
-      const PairCrewScope3 scope(crew);
+      const CrewScope<PairCrew3> scope(crew);
       expect_same(exact_exchange(prepared, request), expected);
       EXPECT_EQ(crew.sums(), 1);
     }
@@ -92,7 +92,7 @@ TEST(Messages, CarryTurnsOfSomeRowsAndTheSkyByClosure) {
   const ExchangeRequest request{.granularity = Granularity::kElement, .sky = SkyBy::kClosure};
   const ExchangeMatrix expected = exact_exchange(prepared, request);
   CrewThroughBytes3 crew(6);
-  const PairCrewScope3 scope(crew);
+  const CrewScope<PairCrew3> scope(crew);
   ExchangeRows3 rows(prepared, request);
   const std::vector<std::uint32_t> some{3, 5};
   rows.add(some);
@@ -124,7 +124,7 @@ TEST(Messages, CarryPairsThatAreOpenAndThoseThatAreKnown) {
   for (const PairSum3& pair : first.pairs())
     if (pair.i < known.elements() && known.has(pair.i, pair.j)) pairs.push_back(pair);
   CrewThroughBytes3 crew(7);
-  const PairCrewScope3 scope(crew);
+  const CrewScope<PairCrew3> scope(crew);
   EXPECT_EQ(refusal(), expected);
   ExchangeRows3 rest(prepared, {});
   rest.take(pairs, known);
@@ -147,7 +147,7 @@ TEST(Messages, CarrySweepsInThePlaneBitForBit) {
         if (has_few_rows) request.rows = RowChoice::of(scene, scene.surfaces.front().name, granularity);
         const ExchangeMatrix expected = exact_exchange(prepared, request);
         CrewThroughBytes2 crew(8);
-        const SweepCrewScope2 scope(crew);
+        const CrewScope<SweepCrew2> scope(crew);
         expect_same(exact_exchange(prepared, request), expected);
         EXPECT_EQ(crew.sweeps(), 1);
       }

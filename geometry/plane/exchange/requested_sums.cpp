@@ -38,7 +38,7 @@ std::uint64_t most_pairs(const PreparedScene2& prepared, const ElementTable2& ta
 // Here alone, or with others where there are no parts.
 PairSums2 sweep(const PreparedScene2& prepared, const ElementTable2& table, const ExchangeRequest& request,
                 std::uint64_t most, SumCounts2& counts, SweepParts2* parts) {
-  SweepCrew2* const crew = parts == nullptr ? sweep_crew_2() : nullptr;
+  SweepCrew2* const crew = parts == nullptr ? CrewScope<SweepCrew2>::crew() : nullptr;
   if (crew == nullptr) return sum_visible_pairs(prepared.arrangement, table, request.progress, most, counts, parts);
   const std::vector<VertexId> order = swept_vertices(prepared.arrangement, table);
   const auto work = crew->begin({prepared, request.granularity, table, order});

@@ -1,27 +1,11 @@
 #include "geometry/plane/exchange/sweep_crew.h"
 
-#include <atomic>
 #include <cstdint>
 #include <limits>
 
 #include "geometry/plane/exchange/exchange_sums.h"
-#include "kernel/support/failure.h"
 
 namespace hottel {
-namespace {
-
-std::atomic<SweepCrew2*> crew{nullptr};
-
-}  // namespace
-
-SweepCrewScope2::SweepCrewScope2(SweepCrew2& its) {
-  SweepCrew2* none = nullptr;
-  HOTTEL_REQUIRE(crew.compare_exchange_strong(none, &its));
-}
-SweepCrewScope2::~SweepCrewScope2() { crew = nullptr; }
-
-SweepCrew2* sweep_crew_2() { return crew; }
-
 SweptPart2 swept_part(const WorkRange& places, std::span<const VertexId> vertices, const Arrangement2& arrangement,
                       const ElementTable2& table) {
   SweptPart2 part{.begin = places.begin, .end = places.end, .counts = {}, .sums = {}};

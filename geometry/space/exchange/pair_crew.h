@@ -34,24 +34,7 @@ struct PairJob3 {
 };
 
 // Who takes part in sums of pairs. What they find must be what PairHelper3 finds, bit for bit.
-class PairCrew3 {
- public:
-  virtual ~PairCrew3() = default;
-  // Begins to share; null where this sum is done here alone. From any thread. REQUIRES that the job outlives the work.
-  virtual std::unique_ptr<PairWork3> begin(const PairJob3& job) = 0;
-};
-
-// While it lives, this crew takes part in sums of all threads of this process. Results do not depend on it.
-// Throws ContractViolation where there is one already.
-class PairCrewScope3 {
- public:
-  explicit PairCrewScope3(PairCrew3& crew);
-  ~PairCrewScope3();
-  PairCrewScope3(const PairCrewScope3&) = delete;
-  PairCrewScope3& operator=(const PairCrewScope3&) = delete;
-};
-// Null where there is none.
-PairCrew3* pair_crew_3();
+using PairCrew3 = WorkCrew<PairJob3, DoneTasks3>;
 
 // Does tasks of a sum that another process asks for.
 //

@@ -306,7 +306,7 @@ std::unique_ptr<PairWork3> begin_work(const PreparedScene3& prepared, const Elem
                                       const PairSumRequest3& request, const Tasks& tasks) {
   constexpr std::size_t kMostAtATime = 4096;  // what is found of them is some megabytes
   const WorkSizes sizes{.count = tasks.count(), .dear = tasks.with_sky(), .most = kMostAtATime};
-  PairCrew3* const crew = request.shared ? pair_crew_3() : nullptr;
+  PairCrew3* const crew = request.shared ? CrewScope<PairCrew3>::crew() : nullptr;
   if (crew != nullptr)
     if (auto work = crew->begin({prepared, *request.shared, table, request, sizes})) return work;
   return std::make_unique<OwnWork<DoneTasks3>>(sizes, static_cast<std::size_t>(threads_allowed()));

@@ -32,7 +32,7 @@ TEST(SweepCrew2, WhoeverTakesPartTheMatrixAndItsCountsAreTheSame) {
       const ExchangeMatrix expected = exact_exchange(prepared, request, &alone);
       for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         ShuffledCrew2 crew(seed);
-        const SweepCrewScope2 scope(crew);
+        const CrewScope<SweepCrew2> scope(crew);
         ExchangeReport report;
         expect_same(exact_exchange(prepared, request, &report), expected);
         EXPECT_EQ(crew.sweeps(), 1);
@@ -49,7 +49,7 @@ TEST(SweepCrew2, WhatIsLostOrComesTwiceIsNoticed) {
   for (const Fault fault : {Fault::kLost, Fault::kTwice})
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       ShuffledCrew2 crew(seed, fault);
-      const SweepCrewScope2 scope(crew);
+      const CrewScope<SweepCrew2> scope(crew);
       EXPECT_THROW(exact_exchange(prepared, {.always_sweeps = true}, nullptr), ContractViolation);
     }
 }

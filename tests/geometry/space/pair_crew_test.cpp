@@ -33,7 +33,7 @@ TEST(PairCrew3, WhoeverTakesPartTheMatrixAndItsCountsAreTheSame) {
       const ExchangeMatrix expected = exact_exchange(prepared, request, &alone);
       for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         ShuffledCrew3 crew(seed);
-        const PairCrewScope3 scope(crew);
+        const CrewScope<PairCrew3> scope(crew);
         ExchangeReport3 report;
         expect_same(exact_exchange(prepared, request, &report), expected);
         EXPECT_EQ(crew.sums(), 1);
@@ -66,7 +66,7 @@ TEST(PairCrew3, WhoeverTakesPartRefusalsOfPairsThatAreOpenAreTheSame) {
   ASSERT_NE(expected, "");
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     ShuffledCrew3 crew(seed);
-    const PairCrewScope3 scope(crew);
+    const CrewScope<PairCrew3> scope(crew);
     EXPECT_EQ(refusal(prepared, 1e-17), expected);
   }
 }
@@ -77,20 +77,20 @@ TEST(PairCrew3, WhatIsLostOrComesTwiceIsNoticed) {
   for (const Fault fault : {Fault::kLost, Fault::kTwice})
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       ShuffledCrew3 crew(seed, fault);
-      const PairCrewScope3 scope(crew);
+      const CrewScope<PairCrew3> scope(crew);
       EXPECT_THROW(exact_exchange(prepared, {}, nullptr), ContractViolation);
     }
 }
 
 TEST(PairCrew3, ThereIsOneAtATime) {
-  EXPECT_EQ(pair_crew_3(), nullptr);
+  EXPECT_EQ(CrewScope<PairCrew3>::crew(), nullptr);
   {
     ShuffledCrew3 crew(1);
-    const PairCrewScope3 scope(crew);
-    EXPECT_EQ(pair_crew_3(), &crew);
-    EXPECT_THROW(PairCrewScope3{crew}, ContractViolation);
+    const CrewScope<PairCrew3> scope(crew);
+    EXPECT_EQ(CrewScope<PairCrew3>::crew(), &crew);
+    EXPECT_THROW(CrewScope<PairCrew3>{crew}, ContractViolation);
   }
-  EXPECT_EQ(pair_crew_3(), nullptr);
+  EXPECT_EQ(CrewScope<PairCrew3>::crew(), nullptr);
 }
 
 }  // namespace
