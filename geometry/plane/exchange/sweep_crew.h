@@ -1,7 +1,6 @@
 // Other processes that sweep vertices of a scene in the plane together with this one.
 #pragma once
 
-#include <memory>
 #include <span>
 
 #include "geometry/element.h"
