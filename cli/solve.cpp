@@ -26,6 +26,7 @@
 #include "io/results/short_digits.h"
 #include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
+#include "io/sums/plane/exact_on_disk.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/plan_speed.h"
@@ -88,8 +89,7 @@ Request request_of(const SolveOptions& options) {
     throw UsageError("--simulate everything and --no-illumination exclude each other");
   if (!options.views.empty()) require_sense_of_views(options.views, options.illumination);
   require_sense_of_sums(options);
-  if (options.sums.is_given())
-    request.on_disk = std::make_shared<const ExactOnDisk2>(options.sums.folder(), options.sums.last());
+  if (options.sums.is_given()) request.on_disk = std::make_shared<const ExactOnDisk2>(options.sums.request());
   asked.wants_light = !options.no_illumination;
   request.shown = shown_of(options);
   require_picture_of_faces(options, request.shown);

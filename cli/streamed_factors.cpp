@@ -34,9 +34,8 @@ struct Streamed {
 // Of --out-of-core or --checkpoint; null where neither is given.
 std::unique_ptr<SumFolder2> folder_of(const FactorsOptions& options, Streamed& streamed) {
   if (!options.sums.is_given()) return nullptr;
-  return std::make_unique<SumFolder2>(
-      SumFolderRequest{.folder = options.sums.folder(), .stays = options.sums.last() == SumsLast::kUntilDone},
-      *streamed.prepared, *streamed.table, streamed.request, streamed.counts);
+  return std::make_unique<SumFolder2>(options.sums.request(), *streamed.prepared, *streamed.table, streamed.request,
+                                      streamed.counts);
 }
 
 std::unique_ptr<const SumsInMemory2> in_memory(Streamed& streamed) {

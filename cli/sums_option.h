@@ -6,7 +6,7 @@
 #include <string>
 
 #include "cli/streams.h"
-#include "io/sums/plane/exact_on_disk.h"
+#include "io/sums/plane/sum_folder.h"
 
 namespace hottel {
 
@@ -19,7 +19,7 @@ struct SumsOption {
   bool is_given() const { return !folder().empty(); }
   std::string folder() const { return out_of_core + checkpoint; }
   const char* name() const { return checkpoint.empty() ? "--out-of-core" : "--checkpoint"; }
-  SumsLast last() const { return checkpoint.empty() ? SumsLast::kThisRun : SumsLast::kUntilDone; }
+  SumFolderRequest request() const { return {.folder = folder(), .stays = !checkpoint.empty()}; }
   // Throws UsageError where one is given.
   void refuse_in_space() const;
   // Tells how many bytes of sums there were.

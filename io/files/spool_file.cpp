@@ -1,30 +1,19 @@
 #include "io/files/spool_file.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <utility>
 #include <vector>
 
 #include "io/files/output_file.h"
+#include "kernel/support/nameless_file.h"
 
 namespace hottel {
 namespace {
 
 constexpr std::size_t kPiece = std::size_t{1} << 16;
-
-// Where the file system has no files without a name, one whose name is gone at once.
-int open_nameless(const std::filesystem::path& folder) {
-  const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-  if (descriptor >= 0) return descriptor;
-  std::string name = (folder / ".hottel-spool-XXXXXX").string();
-  const int named = ::mkostemp(name.data(), O_CLOEXEC);
-  if (named >= 0) ::unlink(name.c_str());
-  return named;
-}
 
 }  // namespace
 

@@ -1,15 +1,15 @@
 #include "kernel/support/folder_memory.h"
 
-#include <fcntl.h>
+#include <fcntl.h>  // posix_fallocate
 #include <sys/mman.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <string>
 #include <system_error>
 
 #include "kernel/support/failure.h"
+#include "kernel/support/nameless_file.h"
 
 namespace hottel {
 namespace {
@@ -21,23 +21,16 @@ namespace {
 // A file that is gone when it is closed.
 class NamelessFile {
  public:
-  explicit NamelessFile(const std::filesystem::path& folder) : number_(open(folder.c_str(), O_TMPFILE | O_RDWR, 0600)) {
-    if (number_ < 0) open_and_remove(folder);  // file systems that have none without a name
-    if (number_ < 0) refuse(folder, "no file can be made there", errno);
+  explicit NamelessFile(const std::filesystem::path& folder) : descriptor_(open_nameless(folder)) {
+    if (descriptor_ < 0) refuse(folder, "no file can be made there", errno);
   }
   NamelessFile(const NamelessFile&) = delete;
-  ~NamelessFile() { close(number_); }
+  ~NamelessFile() { close(descriptor_); }
 
-  int number() const { return number_; }
+  int descriptor() const { return descriptor_; }
 
  private:
-  void open_and_remove(const std::filesystem::path& folder) {
-    std::string name = (folder / "hottel-XXXXXX").string();
-    number_ = mkstemp(name.data());
-    if (number_ >= 0) unlink(name.c_str());
-  }
-
-  int number_;
+  int descriptor_;
 };
 
 }  // namespace
@@ -49,9 +42,9 @@ FolderMemory::FolderMemory(std::filesystem::path folder) : folder_(std::move(fol
 void* FolderMemory::take(std::size_t bytes) const {
   HOTTEL_REQUIRE(bytes > 0);
   const NamelessFile file(folder_);
-  if (const int error = posix_fallocate(file.number(), 0, static_cast<off_t>(bytes)); error != 0)
+  if (const int error = posix_fallocate(file.descriptor(), 0, static_cast<off_t>(bytes)); error != 0)
     refuse(folder_, "no room for " + std::to_string(bytes) + " bytes", error);
-  void* begin = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file.number(), 0);
+  void* begin = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file.descriptor(), 0);
   if (begin == MAP_FAILED) refuse(folder_, std::to_string(bytes) + " bytes cannot be mapped", errno);
   return begin;
 }

@@ -1,31 +1,16 @@
 #include "parallel/plane/sweep_messages.h"
 
 #include <cstdint>
-#include <cstring>
-#include <type_traits>
+#include <optional>
 #include <utility>
 #include <variant>
 
 #include "kernel/support/failure.h"
 #include "parallel/message.h"
-#include "parallel/scene_message.h"
+#include "solver/plane/simulation/cached_sweep.h"
 
 namespace hottel {
 namespace {
-
-// Lists of values that are bytes in memory, and nothing between them.
-template <class T>
-std::string_view bytes_of(std::span<const T> list) {
-  static_assert(std::is_trivially_copyable_v<T>);
-  return {reinterpret_cast<const char*>(list.data()), list.size_bytes()};
-}
-template <class T>
-std::vector<T> list_of(std::string_view bytes) {
-  HOTTEL_REQUIRE(bytes.size() % sizeof(T) == 0);
-  std::vector<T> list(bytes.size() / sizeof(T));
-  if (!list.empty()) std::memcpy(list.data(), bytes.data(), bytes.size());
-  return list;
-}
 
 // What shows that two processes have the same elements: their lengths to the last bit.
 void put_lengths(const PreparedScene2& prepared, const ElementTable2& table, MessageWriter& writer) {
@@ -37,15 +22,9 @@ void put_lengths(const PreparedScene2& prepared, const ElementTable2& table, Mes
   }
 }
 
-std::shared_ptr<const PreparedScene2> prepared_scene(std::string_view bytes, ReceivedSweepJob2::Kept& kept) {
-  if (kept.prepared == nullptr || kept.bytes != bytes) {
-    kept.prepared.reset();  // two do not have to fit into the memory
-    MessageReader reader(bytes);
-    const auto divided = reader.take<Divided2>();
-    kept.prepared = std::make_shared<const PreparedScene2>(prepare(std::get<Scene2>(take_scene(reader)), divided));
-    kept.bytes = bytes;
-  }
-  return kept.prepared;
+PreparedScene2 prepared_scene(MessageReader& reader) {
+  const auto divided = reader.take<Divided2>();
+  return prepare(std::get<Scene2>(take_scene(reader)), divided);
 }
 
 }  // namespace
@@ -64,7 +43,7 @@ std::string sweep_job_message_2(const SweepJob2& job) {
 
 ReceivedSweepJob2::ReceivedSweepJob2(std::string_view bytes, Kept& kept) {
   MessageReader reader(bytes);
-  prepared = prepared_scene(reader.take_text(), kept);
+  prepared = kept.prepared(reader.take_text(), prepared_scene);
   table = prepared->elements(reader.take<Granularity>());
   MessageWriter lengths;
   put_lengths(*prepared, *table, lengths);
@@ -77,22 +56,24 @@ ReceivedSweepJob2::ReceivedSweepJob2(std::string_view bytes, Kept& kept) {
   table = std::make_shared<const ElementTable2>(std::move(chosen));
 }
 
-std::string vertices_message_2(std::span<const VertexId> vertices) { return std::string(bytes_of(vertices)); }
-std::vector<VertexId> read_vertices_2(std::string_view bytes) { return list_of<VertexId>(bytes); }
-
-std::string part_message_2(const SweptPart2& part) {
-  static_assert(sizeof(PairSum2) == 32, "a key, counts and a sum, and nothing between them");
+std::string vertices_message_2(std::span<const VertexId> vertices) {
   MessageWriter writer;
-  writer.put(std::uint64_t{part.begin}, std::uint64_t{part.end}, part.counts.gaps, part.counts.updates);
-  return writer.bytes() + std::string(bytes_of(std::span<const PairSum2>(part.sums)));
+  for (const VertexId vertex : vertices) writer.put(static_cast<std::uint32_t>(vertex.index()));
+  return writer.bytes();
+}
+std::vector<VertexId> read_vertices_2(std::string_view bytes) {
+  std::vector<VertexId> vertices;
+  for (MessageReader reader(bytes); !reader.is_at_end();) vertices.emplace_back(reader.take<std::uint32_t>());
+  return vertices;
 }
 
+// As a store keeps it, which has to tell orders of sweeps apart; here there is one.
+std::string part_message_2(const SweptPart2& part) { return bytes_of(part, 0); }
+
 SweptPart2 read_part_2(std::string_view bytes) {
-  MessageReader reader(bytes);
-  SweptPart2 part;
-  reader.take_into(part.begin, part.end, part.counts.gaps, part.counts.updates);
-  part.sums = list_of<PairSum2>(reader.rest());
-  return part;
+  std::optional<SweptPart2> part = swept_part_2(bytes, 0);
+  HOTTEL_REQUIRE(part.has_value());
+  return *std::move(part);
 }
 
 }  // namespace hottel

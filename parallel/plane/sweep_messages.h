@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/plane/exchange/sweep_crew.h"
+#include "parallel/scene_message.h"
 
 namespace hottel {
 
@@ -16,11 +17,7 @@ std::string sweep_job_message_2(const SweepJob2& job);
 
 // A job that was read.
 struct ReceivedSweepJob2 {
-  // A scene that is prepared already: it is kept from one job to the next where the scene is the same.
-  struct Kept {
-    std::string bytes;
-    std::shared_ptr<const PreparedScene2> prepared;
-  };
+  using Kept = KeptScene<PreparedScene2>;
 
   std::shared_ptr<const PreparedScene2> prepared;
   std::shared_ptr<const ElementTable2> table;  // with the rows of the job

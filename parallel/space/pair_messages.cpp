@@ -5,7 +5,6 @@
 #include <variant>
 
 #include "kernel/support/failure.h"
-#include "parallel/scene_message.h"
 
 namespace hottel {
 namespace {
@@ -83,15 +82,7 @@ void for_each_count(Report& counts, const Visit& visit) {
     visit(*count);
 }
 
-std::shared_ptr<const PreparedScene3> prepared_scene(std::string_view bytes, ReceivedPairJob3::Kept& kept) {
-  if (kept.prepared == nullptr || kept.bytes != bytes) {
-    kept.prepared.reset();  // two do not have to fit into the memory
-    MessageReader reader(bytes);
-    kept.prepared = std::make_shared<const PreparedScene3>(prepare(std::get<Scene3>(take_scene(reader))));
-    kept.bytes = bytes;
-  }
-  return kept.prepared;
-}
+PreparedScene3 prepared_scene(MessageReader& reader) { return prepare(std::get<Scene3>(take_scene(reader))); }
 
 }  // namespace
 
@@ -116,7 +107,7 @@ std::string pair_job_message_3(const PairJob3& job) {
 
 ReceivedPairJob3::ReceivedPairJob3(std::string_view bytes, Kept& kept) {
   MessageReader reader(bytes);
-  prepared = prepared_scene(reader.take_text(), kept);
+  prepared = kept.prepared(reader.take_text(), prepared_scene);
   table = prepared->elements(reader.take<Granularity>());
   MessageWriter extents;
   put_extents(*table, extents);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/space/exchange/pair_crew.h"
-#include "parallel/message.h"
+#include "parallel/scene_message.h"
 
 namespace hottel {
 
@@ -17,11 +17,7 @@ std::string pair_job_message_3(const PairJob3& job);
 
 // A job that was read, with all that its request points to.
 struct ReceivedPairJob3 {
-  // A scene may be prepared already: it is kept from one job to the next where the scene is the same.
-  struct Kept {
-    std::string bytes;
-    std::shared_ptr<const PreparedScene3> prepared;
-  };
+  using Kept = KeptScene<PreparedScene3>;
 
   std::shared_ptr<const PreparedScene3> prepared;
   std::shared_ptr<const ElementTable3> table;

@@ -29,7 +29,7 @@ const std::string kScenes = std::string(HOTTEL_SOURCE_DIR) + "/scenes/";
 class CrewThroughBytes3 : public ShuffledCrew3 {
  public:
   using ShuffledCrew3::ShuffledCrew3;
-  const void* prepared() const { return kept_.prepared.get(); }
+  const void* prepared() const { return kept_.last().get(); }
 
  protected:
   std::function<DoneTasks3(const WorkRange&)> elsewhere(const PairJob3& job) override {

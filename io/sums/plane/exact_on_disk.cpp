@@ -27,19 +27,18 @@ struct KeptFolder {
 
 }  // namespace
 
-ExactOnDisk2::ExactOnDisk2(std::filesystem::path folder, SumsLast last) : folder_(std::move(folder)), last_(last) {}
+ExactOnDisk2::ExactOnDisk2(SumFolderRequest asked) : asked_(std::move(asked)) { asked_.bytes_beside = kBytesBeside; }
 
 ExchangeMatrix ExactOnDisk2::compute(const PreparedScene2& prepared, const ExchangeRequest& request,
                                      MethodReport& report) const {
   HOTTEL_REQUIRE(!request.wants_measures);
   ExchangeReport& counts = report.counts;
-  const auto kept = std::make_shared<const KeptFolder>(folder_);
+  const auto kept = std::make_shared<const KeptFolder>(asked_.folder);
   Stopwatch watch;
   const std::shared_ptr<const ElementTable2> table = table_with_rows(prepared, request);
   counts.seconds["prepare"] = prepared.seconds;
   counts.seconds["label"] = watch.lap();
-  const SumFolder2 sums({.folder = folder_, .stays = last_ == SumsLast::kUntilDone, .bytes_beside = kBytesBeside},
-                        prepared, *table, request, counts);
+  const SumFolder2 sums(asked_, prepared, *table, request, counts);
   left_ = sums.files();
   bytes_of_sums_ = sums.bytes();
   report_scene(prepared, *table, counts);

@@ -1,7 +1,7 @@
 // Exact view factors of a scene in the plane, for a matrix that is larger than memory.
 //
 //   SimulationRequest2 request;
-//   request.method = std::make_shared<const ExactOnDisk2>("/scratch", SumsLast::kThisRun);
+//   request.method = std::make_shared<const ExactOnDisk2>(SumFolderRequest{.folder = "/scratch"});
 //   request.memory = 4'000'000'000;
 //   const Simulation2 simulation(read_scene_2("town.json"), request);
 #pragma once
@@ -16,22 +16,19 @@
 
 namespace hottel {
 
-// How long the sums of pairs stay in the folder.
-//   kThisRun:   until they are a matrix
-//   kUntilDone: until forget(), so that a run that is ended goes on where it was
-enum class SumsLast : unsigned char { kThisRun, kUntilDone };
-
 // The method `exact`, by sums in files (SumFolder2). Its matrix stands in files too, and what a solver makes of its
 // entries (ExchangeMatrix::memory()): the system keeps in memory what is used, and nothing is left when the process
 // ends.
 //
 //   (1) the matrix is that of exact_exchange(), bit for bit
 //   (2) beside the prepared scene sums take the memory of the request; what else grows with the pairs is on disk
+//   (3) sums that stay do so until forget(), the others until they are a matrix
 // Throws what SumFolder2 throws, before the sweep where the disk has no room for sums and matrix. COST: that of the
 // exact method, and some 150 bytes of disk for each pair.
 class ExactOnDisk2 final : public ExchangeMethod2 {
  public:
-  ExactOnDisk2(std::filesystem::path folder, SumsLast last);
+  // Of the request the folder, and whether sums stay there.
+  explicit ExactOnDisk2(SumFolderRequest asked);
 
   const MethodInfo& info() const override { return info_; }
   ExchangeMatrix compute(const PreparedScene2& prepared, const ExchangeRequest& request,
@@ -45,8 +42,7 @@ class ExactOnDisk2 final : public ExchangeMethod2 {
   void forget() const;
 
  private:
-  std::filesystem::path folder_;
-  SumsLast last_;
+  SumFolderRequest asked_;
   mutable std::vector<std::filesystem::path> left_;  // of sums, by the last call
   mutable std::uint64_t bytes_of_sums_ = 0;
   MethodInfo info_{"exact", "exact", 0, Guarantee::kExact, "docs/design/plane/exchange.md"};

@@ -389,7 +389,7 @@ const MethodPtr& exact_method() {
   return method;
 }
 
-// Whether it is that, made by whomever.
+// Whether a method is that one, or another object that does the same.
 bool is_usual(const MethodPtr& method) {
   return !method || (method->info().name == exact_method()->info().name && !method->keeps_pairs_on_disk());
 }

@@ -19,7 +19,7 @@ using testing_scenes::generated;
 
 ExchangeMatrix on_disk(const PreparedScene2& prepared, const std::filesystem::path& folder, ExchangeReport& counts) {
   MethodReport report;
-  ExchangeMatrix matrix = ExactOnDisk2(folder, SumsLast::kThisRun).compute(prepared, {.memory = 50'000}, report);
+  ExchangeMatrix matrix = ExactOnDisk2({.folder = folder}).compute(prepared, {.memory = 50'000}, report);
   counts = report.counts;
   return matrix;
 }
@@ -47,7 +47,7 @@ TEST(ExactOnDisk2, HasTheMatrixOfTheExactMethod) {
 TEST(ExactOnDisk2, LeadsToTheSameRadiosities) {
   const TemporaryFolder folder;
   const Scene2 scene = generated("clutter", 1500, 3);
-  const auto method = std::make_shared<const ExactOnDisk2>(folder.path(), SumsLast::kUntilDone);
+  const auto method = std::make_shared<const ExactOnDisk2>(SumFolderRequest{.folder = folder.path(), .stays = true});
   const auto usual = Simulation2(scene, {.solver = Solver::kCg}).radiosities();
   const auto solved = Simulation2(scene, {.method = method, .solver = Solver::kCg}).radiosities();
   ASSERT_EQ(solved->channels.size(), usual->channels.size());
