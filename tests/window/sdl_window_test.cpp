@@ -73,10 +73,11 @@ class SdlWindow : public testing::Test {
     return expect([kind](const WindowEvent& event) { return event.kind == kind; });
   }
 
-  // Drops events until none has come for a while.
+  // Drops events until none has come for a while, which must be soon.
   void settle() {
-    while (window_->next(0.3)) {
-    }
+    const auto start = Clock::now();
+    while (window_->next(0.3))
+      if (seconds_since(start) > kPatience) throw std::runtime_error("events do not end");
   }
 
   // The keys and texts that a hand on the keyboard gives, one after the other: "key a", "text A".

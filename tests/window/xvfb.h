@@ -109,7 +109,7 @@ class XvfbSession {
 
   // Runs xdotool with the words of a shell line, and returns what it prints, without the last line end.
   std::string xdotool(const std::string& words) const {
-    std::string text = output("LC_ALL=C.UTF-8 timeout 20 xdotool " + words);
+    std::string text = output("xdotool " + words);
     if (text.ends_with('\n')) text.pop_back();
     return text;
   }
@@ -138,7 +138,10 @@ class XvfbSession {
       throw std::runtime_error(program + " is missing: install the package " + package + " (tools/setup does)");
   }
 
-  static std::string output(const std::string& line) {
+  // What a program prints that ends within twenty seconds: one that waits for a screen that never answers would take
+  // the test with it, and leave nothing to read.
+  static std::string output(const std::string& command) {
+    const std::string line = "LC_ALL=C.UTF-8 timeout 20 " + command;
     const auto close = [](FILE* pipe) { return ::pclose(pipe); };
     std::unique_ptr<FILE, decltype(close)> pipe(::popen(line.c_str(), "r"), close);
     std::string text;
@@ -178,8 +181,10 @@ class XvfbSession {
                                      "<keybind key='A-F4'><action name='Close'/></keybind></keyboard><mouse/>"
                                      "</openbox_config>\n";
     manager_.emplace(std::vector<std::string>{"openbox", "--sm-disable", "--config-file", configuration_});
+    // A window that is opened between its first word and its first answer may never be shown, and waits for ever.
     for (int tries = 0; tries < 200; ++tries) {
-      if (output("xprop -root _NET_SUPPORTING_WM_CHECK").find("window id") != std::string::npos) return;
+      output("xdotool set_num_desktops 1 2>/dev/null || true");
+      if (output("xprop -root _NET_NUMBER_OF_DESKTOPS").ends_with("= 1\n")) return;
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
     throw std::runtime_error("openbox has not started");
