@@ -11,21 +11,21 @@ namespace {
 
 void frame(benchmark::State& state, const Room& room, Look2 look) {
   Hands hands(room);
-  Desk2& desk = hands.desk();
+  Viewer2& viewer = hands.viewer();
   hands.mouse(WindowEvent::Kind::kMove, {640, 400});
   hands.take_events();
-  desk.command(std::string("look ") + to_string(look));
-  desk.settle(kPatience);
+  viewer.command(std::string("look ") + to_string(look));
+  viewer.settle(kPatience);
   Stopwatch watch;
   double whole = 0, overlay = 0;
   for (auto _ : state) {
-    desk.handle({.kind = WindowEvent::Kind::kFocus});
+    viewer.handle({.kind = WindowEvent::Kind::kFocus});
     watch.lap();
-    desk.update();
+    viewer.update();
     overlay += watch.lap();
-    desk.handle({.kind = WindowEvent::Kind::kResize});
+    viewer.handle({.kind = WindowEvent::Kind::kResize});
     watch.lap();
-    desk.update();
+    viewer.update();
     const double seconds = watch.lap();
     whole += seconds;
     state.SetIterationTime(seconds);

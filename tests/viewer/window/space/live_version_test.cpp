@@ -18,7 +18,7 @@
 namespace hottel::live_version_test {
 namespace {
 
-using testing_desk::kRoom;
+using testing_viewer::kRoom;
 
 const StageProgress kAnyProgress = [](std::string_view, double) {};
 constexpr double kPatience = 300;

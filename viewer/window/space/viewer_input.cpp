@@ -1,11 +1,11 @@
-// The events of a desk in space.
+// The events of a viewer in space.
 #include <cmath>
 #include <utility>
 
 #include "viewer/window/lights.h"
 #include "viewer/window/space/commands.h"
-#include "viewer/window/space/desk.h"
 #include "viewer/window/space/pointed_place.h"
+#include "viewer/window/space/viewer.h"
 
 namespace hottel {
 namespace {
@@ -20,7 +20,7 @@ double distance(const Pixel& a, const Pixel& b) { return std::hypot(a.x - b.x, a
 }  // namespace
 
 // Finds what lies under the mouse.
-void Desk3::touch() {
+void Viewer3::touch() {
   hover_light_ = has_mouse_ ? pick_light(*shown_, pointer()) : std::nullopt;
   const SeenPicture3::Part* part = has_mouse_ && !hover_light_ ? part_at(mouse_) : nullptr;
   hover_.reset();
@@ -28,7 +28,7 @@ void Desk3::touch() {
 }
 
 // Held: shift keeps what is dragged on an axis, ctrl aims a light at what lies under the mouse.
-Pointer3 Desk3::pointer(const HeldKeys& held) const {
+Pointer3 Viewer3::pointer(const HeldKeys& held) const {
   Pointer3 result = camera_.pointer(mouse_, size_);
   result.reach = kReach * unit_;
   result.arm = kLightArm * unit_;
@@ -40,7 +40,7 @@ Pointer3 Desk3::pointer(const HeldKeys& held) const {
 }
 
 // The place of a surface with light that is seen there.
-std::optional<Direction3> Desk3::surface_at(const Pixel& place) const {
+std::optional<Direction3> Viewer3::surface_at(const Pixel& place) const {
   const SeenPicture3::Part* part = part_at(place);
   if (part == nullptr || !part->element) return std::nullopt;
   const LiveModel3& model = *seen()->model;
@@ -53,9 +53,9 @@ std::optional<Direction3> Desk3::surface_at(const Pixel& place) const {
   return std::isfinite(along) ? std::optional(from.eye + along * ray) : std::nullopt;
 }
 
-bool Desk3::is_on_bar() const { return is_split() && std::abs(mouse_.x - split_ * size_.width) < kReach * unit_; }
+bool Viewer3::is_on_bar() const { return is_split() && std::abs(mouse_.x - split_ * size_.width) < kReach * unit_; }
 
-void Desk3::handle(const WindowEvent& event) {
+void Viewer3::handle(const WindowEvent& event) {
   using Kind = WindowEvent::Kind;
   needs_frame_ = needs_frame_ || event.kind != Kind::kWake;
   const bool is_at_a_place = event.kind == Kind::kMove || event.kind == Kind::kPress || event.kind == Kind::kRelease ||
@@ -102,7 +102,7 @@ void Desk3::handle(const WindowEvent& event) {
   }
 }
 
-Direction3 Desk3::pointed_place(const Pixel& place) const {
+Direction3 Viewer3::pointed_place(const Pixel& place) const {
   const Pointer3 from = camera_.pointer(place, size_);
   const Direction3 way = from.way_to(from.at);
   if (const std::optional<Direction3> surface = surface_at(place)) return *surface;
@@ -111,20 +111,20 @@ Direction3 Desk3::pointed_place(const Pixel& place) const {
 }
 
 // Scrolls a text, or goes nearer to what is under the mouse, which stays there.
-void Desk3::wheel(const WindowEvent& event) {
+void Viewer3::wheel(const WindowEvent& event) {
   if (scrolls_.wheel(mouse_, event.wheel) || shows_help_) return;
   EyeCamera3 camera = camera_;
   camera.zoom_to(pointed_place(mouse_), std::pow(kPerNotch, event.wheel));
   see(camera);
 }
 
-void Desk3::key(const WindowEvent& event) {
+void Viewer3::key(const WindowEvent& event) {
   if (hold_axis(event)) return;
   if (event.held == HeldKeys() && scrolls_.key(event.key, mouse_, shows_help_ ? "help" : "")) return;
   if (const auto name = command_of_key(key_text(event), commands_3()); !name.empty()) command(name);
 }
 
-void Desk3::press(const WindowEvent& event) {
+void Viewer3::press(const WindowEvent& event) {
   if (prompt_ || drag_ != Drag::kNone) return;
   pressed_ = mouse_;
   button_ = event.button;
@@ -136,7 +136,7 @@ void Desk3::press(const WindowEvent& event) {
 }
 
 // What the mouse does from there on.
-Desk3::Drag Desk3::drag_of(const WindowEvent& press) {
+Viewer3::Drag Viewer3::drag_of(const WindowEvent& press) {
   if (press.button != MouseButton::kLeft) return Drag::kPan;
   if (!press.held.shift && is_on_bar()) return Drag::kBar;
   if (time_ && pick_light(*shown_, pointer())) stop();
@@ -146,7 +146,7 @@ Desk3::Drag Desk3::drag_of(const WindowEvent& press) {
   return press.held.ctrl ? Drag::kTurn : Drag::kOrbit;
 }
 
-void Desk3::move(const Pixel& before) {
+void Viewer3::move(const Pixel& before) {
   if (drag_ == Drag::kNone) return touch();
   if (!has_moved_ && distance(mouse_, pressed_) <= kStill * unit_) return;
   // What lies under the mouse goes with it from where it was pressed.
@@ -166,7 +166,7 @@ void Desk3::move(const Pixel& before) {
   }
 }
 
-void Desk3::move_eye(double right, double down) {
+void Viewer3::move_eye(double right, double down) {
   EyeCamera3 camera = camera_;
   const double degrees = kDegreesAcross / size_.height;
   if (drag_ == Drag::kOrbit) {
@@ -183,7 +183,7 @@ void Desk3::move_eye(double right, double down) {
   see(camera);
 }
 
-void Desk3::release(const WindowEvent& event) {
+void Viewer3::release(const WindowEvent& event) {
   if (drag_ == Drag::kNone || event.button != button_) return;
   const bool was_edited = editor_.is_dragging();
   const Drag ended = std::exchange(drag_, Drag::kNone);
@@ -199,7 +199,7 @@ void Desk3::release(const WindowEvent& event) {
 }
 
 // Picks a polygon by its first element, as it is numbered, that there is something of.
-void Desk3::pick(const Face& face) {
+void Viewer3::pick(const Face& face) {
   LookRequest3 request = request_;
   request.face = face;
   picked_.reset();

@@ -1,4 +1,4 @@
-// The commands of a desk in space.
+// The commands of a viewer in space.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include "viewer/edit/material_edits.h"
 #include "viewer/window/choices.h"
 #include "viewer/window/space/commands.h"
-#include "viewer/window/space/desk.h"
+#include "viewer/window/space/viewer.h"
 
 namespace hottel {
 namespace {
@@ -18,7 +18,7 @@ constexpr double kLookStep = 3, kOrbitStep = 5, kZoomStep = 1.1;
 
 }  // namespace
 
-void Desk3::command(std::string_view name) {
+void Viewer3::command(std::string_view name) {
   needs_frame_ = true;
   message_.clear();
   if (!walk_command(name) && !look_command(name) && !edit_command(name) && !selection_command(name) &&
@@ -28,7 +28,7 @@ void Desk3::command(std::string_view name) {
   touch();
 }
 
-bool Desk3::look_command(std::string_view name) {
+bool Viewer3::look_command(std::string_view name) {
   LookRequest3 request = request_;
   if (name.starts_with("look ")) {
     const auto look = look_3(name.substr(5));
@@ -75,7 +75,7 @@ bool Desk3::look_command(std::string_view name) {
   return true;
 }
 
-bool Desk3::walk_command(std::string_view name) {
+bool Viewer3::walk_command(std::string_view name) {
   EyeCamera3 camera = camera_;
   const double step = camera_.size() / kStepsAcross;
   if (name == "forward" || name == "back") {
@@ -105,7 +105,7 @@ bool Desk3::walk_command(std::string_view name) {
 }
 
 // The material that lies under the mouse, else that of the picked polygon.
-std::optional<std::uint32_t> Desk3::material_meant() {
+std::optional<std::uint32_t> Viewer3::material_meant() {
   touch();
   const std::optional<LiveElement3>& element = hover_ ? hover_ : picked_;
   if (element) return element->element().material;
@@ -113,7 +113,7 @@ std::optional<std::uint32_t> Desk3::material_meant() {
   return std::nullopt;
 }
 
-bool Desk3::edit_command(std::string_view name) {
+bool Viewer3::edit_command(std::string_view name) {
   if (name == "undo" || name == "redo") {
     if (editor_.is_dragging()) drag_ = Drag::kNone;
     message_ = name == "undo" ? editor_.undo() : editor_.redo();
@@ -127,7 +127,7 @@ bool Desk3::edit_command(std::string_view name) {
 }
 
 // Drops what is there to be dropped first: the help, a drag, or all that is picked.
-void Desk3::drop() {
+void Viewer3::drop() {
   if (shows_help_) {
     shows_help_ = false;
     return;
@@ -141,7 +141,7 @@ void Desk3::drop() {
   unpick();
 }
 
-bool Desk3::material_command(std::string_view name) {
+bool Viewer3::material_command(std::string_view name) {
   if (name != "material" && !is_material_edit(name)) return false;
   const std::optional<std::uint32_t> material = material_meant();
   if (!material) return true;
@@ -160,7 +160,7 @@ bool Desk3::material_command(std::string_view name) {
   return true;
 }
 
-void Desk3::ask_for_material(std::uint32_t material) {
+void Viewer3::ask_for_material(std::uint32_t material) {
   const Material& now = scene()->materials[material];
   prompt_ =
       Prompt{.question = now.name, .text = material_text(now), .answer = [this, material](const std::string& text) {
@@ -171,14 +171,14 @@ void Desk3::ask_for_material(std::uint32_t material) {
              }};
 }
 
-void Desk3::change_material(std::uint32_t material, const Material& values) {
+void Viewer3::change_material(std::uint32_t material, const Material& values) {
   std::vector<Material> materials = scene()->materials;
   materials[material] = values;
   editor_.change_materials(std::move(materials), "change " + values.name);
   scene_changed();
 }
 
-bool Desk3::file_command(std::string_view name) {
+bool Viewer3::file_command(std::string_view name) {
   if (name == "save") {
     save();
   } else if (name == "save as") {

@@ -1,4 +1,4 @@
-// The events of a desk.
+// The events of a viewer.
 #include <cmath>
 #include <utility>
 
@@ -6,7 +6,7 @@
 #include "viewer/edit/decimals.h"
 #include "viewer/window/commands.h"
 #include "viewer/window/lights.h"
-#include "viewer/window/plane/desk.h"
+#include "viewer/window/plane/viewer.h"
 
 namespace hottel {
 namespace {
@@ -19,7 +19,7 @@ double distance(const Pixel& a, const Pixel& b) { return std::hypot(a.x - b.x, a
 
 }  // namespace
 
-Pointer2 Desk2::pointer(const HeldKeys& held) const {
+Pointer2 Viewer2::pointer(const HeldKeys& held) const {
   return {.place = place(),
           .reach = kReach * unit_ / camera_.pixels_per_length(),
           .arm = kLightArm * unit_ / camera_.pixels_per_length(),
@@ -30,20 +30,20 @@ Pointer2 Desk2::pointer(const HeldKeys& held) const {
 }
 
 // Finds what lies under the mouse, in the scene as it is now.
-void Desk2::touch() {
+void Viewer2::touch() {
   const Pointer2 mouse = pointer();
   hover_light_ = has_mouse_ && !tool_ ? pick_light(*shown_scene(), mouse.place, mouse.reach, mouse.arm) : std::nullopt;
   hover_ = has_mouse_ && !hover_light_ ? editor_.pick(pointer()) : Pick2();
 }
 
 // The place of the mouse as a short decimal, finer than a pixel.
-Point2 Desk2::exact_mouse() const {
+Point2 Viewer2::exact_mouse() const {
   const int decimals = decimals_at(camera_.pixels_per_length()) + 1;
   const Place2 at = place();
   return {rounded_decimal(at[0], decimals), rounded_decimal(at[1], decimals)};
 }
 
-void Desk2::handle(const WindowEvent& event) {
+void Viewer2::handle(const WindowEvent& event) {
   using Kind = WindowEvent::Kind;
   needs_frame_ = needs_frame_ || event.kind != Kind::kWake;
   switch (event.kind) {
@@ -86,7 +86,7 @@ void Desk2::handle(const WindowEvent& event) {
 }
 
 // Scrolls a text, or zooms about what is under the mouse, which stays there.
-void Desk2::wheel(const WindowEvent& event) {
+void Viewer2::wheel(const WindowEvent& event) {
   mouse_ = {event.x, event.y};
   has_mouse_ = true;
   if (scrolls_.wheel(mouse_, event.wheel) || shows_help_) return;
@@ -99,14 +99,14 @@ void Desk2::wheel(const WindowEvent& event) {
 }
 
 // The whole scene stays in sight, unless the view was moved by hand.
-void Desk2::resize() {
+void Viewer2::resize() {
   const FrameSize before = size_;
   size_ = window_.size();
   needs_base_ = true;
   if (is_fitted_ && size_ != before) fit();
 }
 
-void Desk2::press(const WindowEvent& event) {
+void Viewer2::press(const WindowEvent& event) {
   if (prompt_ || drag_ != Drag::kNone) return;
   pressed_ = mouse_;
   button_ = event.button;
@@ -126,7 +126,7 @@ void Desk2::press(const WindowEvent& event) {
   drag_ = editor_.press(pointer(event.held)) ? Drag::kEdit : event.held.shift ? Drag::kRectangle : Drag::kPan;
 }
 
-void Desk2::move(const WindowEvent& event) {
+void Viewer2::move(const WindowEvent& event) {
   const Pixel before = mouse_;
   mouse_ = {event.x, event.y};
   has_mouse_ = true;
@@ -156,7 +156,7 @@ void Desk2::move(const WindowEvent& event) {
   request_changed();
 }
 
-void Desk2::release(const WindowEvent& event) {
+void Viewer2::release(const WindowEvent& event) {
   if (event.button != button_) return;
   const Drag ended = std::exchange(drag_, Drag::kNone);
   if (ended == Drag::kEdit) {
@@ -176,15 +176,15 @@ void Desk2::release(const WindowEvent& event) {
 }
 
 // The face that is meant by pointing at an edge: its front where the back is black and exchanges nothing.
-Face Desk2::asked_face(const Pick2& pick) const {
+Face Viewer2::asked_face(const Pick2& pick) const {
   const bool has_back = pick.face.is_back && editor_.scene()->surfaces[pick.face.surface].back;
   return {pick.face.surface, has_back};
 }
 
-std::string Desk2::asked_name(const Pick2& pick) const { return face_name(*editor_.scene(), asked_face(pick)); }
+std::string Viewer2::asked_name(const Pick2& pick) const { return face_name(*editor_.scene(), asked_face(pick)); }
 
 // A click on an edge picks its face where faces are looked at.
-void Desk2::click() {
+void Viewer2::click() {
   if (editor_.selected_light()) return;
   const Pick2 found = editor_.pick(pointer());
   if (!found.surface) return;
@@ -198,7 +198,7 @@ void Desk2::click() {
   needs_base_ = true;
 }
 
-void Desk2::key(const WindowEvent& event) {
+void Viewer2::key(const WindowEvent& event) {
   if (event.held == HeldKeys() && scrolls_.key(event.key, mouse_, shows_help_ ? "help" : "")) return;
   const std::string_view name = command_of_key(key_text(event));
   if (!name.empty()) command(name);

@@ -1,11 +1,11 @@
-// Storms of events over a desk: all that hands can do to a window, at random, faster than light is made.
+// Storms of events over a viewer: all that hands can do to a window, at random, faster than light is made.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-namespace hottel::desk_storm {
+namespace hottel::viewer_storm {
 
 struct StormOptions {
   int dimension = 3;       // 2 or 3
@@ -18,19 +18,19 @@ struct StormOptions {
 
 struct StormResult {
   std::uint64_t events = 0, frames = 0, edits = 0, problems = 0;  // problems: frames that said there was no light
-  std::uint64_t sizes = 0, reads = 0, desks = 0;                  // desks: begun anew, where one was told to quit
+  std::uint64_t sizes = 0, reads = 0, viewers = 0;                // viewers: begun anew, where one was told to quit
   std::uint64_t shapes = 0;                                       // that drags of what was picked have made
   std::uint64_t rests = 0;                                        // at which files were compared
   std::vector<std::string> failures{};                            // what broke, with the number of the event
 };
 
-// Handles the events on a desk without a screen, and holds it against these laws. The seed gives the events; where one
+// Hands events to a viewer without a screen, and checks these laws. The seed determines the events; where one
 // depends on what the window shows, a question for one, on how far the light is by then.
 //
 //   (1) no event throws: that would end the window
 //   (2) a frame has the size of the window
-//   (3) at rest, every so often and at the end, the desk's files are those of a fresh desk with the same scene
+//   (3) at rest, every so often and at the end, the viewer's files are those of a fresh viewer with the same scene
 // Writes files into a temporary folder alone. Stops at the first failure.
 StormResult run_storm(const StormOptions& options);
 
-}  // namespace hottel::desk_storm
+}  // namespace hottel::viewer_storm

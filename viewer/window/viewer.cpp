@@ -1,4 +1,4 @@
-#include "viewer/window/desk.h"
+#include "viewer/window/viewer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ Rational thousandths(double seconds) {
 }
 
 // Of moves of the mouse one after the other the last one is handled.
-void handle_events(Desk& desk, Window& window, double seconds) {
+void handle_events(Viewer& viewer, Window& window, double seconds) {
   WindowEvent move;
   bool has_move = false;
   for (std::size_t k = 0; k < kEventsPerFrame; ++k) {
@@ -32,22 +32,22 @@ void handle_events(Desk& desk, Window& window, double seconds) {
       has_move = true;
       continue;
     }
-    if (std::exchange(has_move, false)) desk.handle(move);
-    desk.handle(*event);
+    if (std::exchange(has_move, false)) viewer.handle(move);
+    viewer.handle(*event);
   }
-  if (has_move) desk.handle(move);
+  if (has_move) viewer.handle(move);
 }
 
 }  // namespace
 
-void run_desk(Desk& desk, Window& window, double seconds) {
+void run_viewer(Viewer& viewer, Window& window, double seconds) {
   Stopwatch watch;
-  for (bool moves = false; !desk.wants_quit();) {
+  for (bool moves = false; !viewer.wants_quit();) {
     const double most = moves ? std::min(seconds, kSecondsBetweenFrames) : seconds;
-    handle_events(desk, window, most);
+    handle_events(viewer, window, most);
     const double gone = watch.lap();
-    moves = desk.pass_time(moves ? thousandths(gone) : Rational(0));
-    desk.update();
+    moves = viewer.pass_time(moves ? thousandths(gone) : Rational(0));
+    viewer.update();
   }
 }
 

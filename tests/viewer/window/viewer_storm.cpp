@@ -1,4 +1,4 @@
-#include "tests/viewer/window/desk_storm.h"
+#include "tests/viewer/window/viewer_storm.h"
 
 #include <algorithm>
 #include <array>
@@ -17,12 +17,12 @@
 #include "io/scene/scene_json.h"
 #include "tests/temporary_folder.h"
 #include "viewer/window/commands.h"
-#include "viewer/window/plane/desk.h"
+#include "viewer/window/plane/viewer.h"
 #include "viewer/window/recording_window.h"
 #include "viewer/window/space/commands.h"
-#include "viewer/window/space/desk.h"
+#include "viewer/window/space/viewer.h"
 
-namespace hottel::desk_storm {
+namespace hottel::viewer_storm {
 namespace {
 
 using Kind = WindowEvent::Kind;
@@ -107,34 +107,34 @@ constexpr std::array kTexts{"reflectivity 0.5",
 constexpr std::array kOtherKeys{"home", "end",    "f1",       "f12",       "\xC3\xA4", "0",
                                 "9",    "ctrl+u", "alt+left", "shift+tab", "enter",    "escape"};
 
-// A desk, whatever its dimension, with what storms ask of it.
-struct StormDesk {
-  std::unique_ptr<Desk> desk;
+// A viewer, whatever its dimension, with what storms ask of it.
+struct StormViewer {
+  std::unique_ptr<Viewer> viewer;
   std::function<const std::optional<Prompt>&()> prompt;
   std::function<std::string()> written;  // the scene as a file has it; throws what writing throws
   std::function<bool()> has_problem;
   std::function<std::string()> shape;  // where the corners are
 };
 
-std::string corners_text(const Desk2& desk) {
+std::string corners_text(const Viewer2& viewer) {
   std::string text;
-  for (const Edge2& edge : desk.editor().scene()->edges)
+  for (const Edge2& edge : viewer.editor().scene()->edges)
     for (const Point2& p : {edge.from, edge.to}) text += to_string(p.x) + "," + to_string(p.y) + ";";
   return text;
 }
-std::string corners_text(const Desk3& desk) {
+std::string corners_text(const Viewer3& viewer) {
   std::string text;
-  for (const Polygon3& polygon : desk.scene()->polygons)
+  for (const Polygon3& polygon : viewer.scene()->polygons)
     for (const Point3& p : corners_of(polygon))
       text += to_string(p.x) + "," + to_string(p.y) + "," + to_string(p.z) + ";";
   return text;
 }
 
-StormDesk desk_on(const StormOptions& options, const std::filesystem::path& file, Window& window) {
+StormViewer viewer_on(const StormOptions& options, const std::filesystem::path& file, Window& window) {
   if (options.dimension == 2) {
-    auto desk = std::make_unique<Desk2>(file, window, SimulationRequest2{}, 1.0);
-    Desk2* const its = desk.get();
-    return {std::move(desk), [its]() -> const std::optional<Prompt>& { return its->prompt(); },
+    auto viewer = std::make_unique<Viewer2>(file, window, SimulationRequest2{}, 1.0);
+    Viewer2* const its = viewer.get();
+    return {std::move(viewer), [its]() -> const std::optional<Prompt>& { return its->prompt(); },
             [its] {
               validate(*its->editor().scene());
               return write_scene_2(*its->editor().scene());
@@ -146,9 +146,9 @@ StormDesk desk_on(const StormOptions& options, const std::filesystem::path& file
     if (n > 1) divide_into(scene, n);
     return scene;
   };
-  auto desk = std::make_unique<Desk3>(DeskSource3{file, read}, window, FactorsRequest3{}, 1.0);
-  Desk3* const its = desk.get();
-  return {std::move(desk), [its]() -> const std::optional<Prompt>& { return its->prompt(); },
+  auto viewer = std::make_unique<Viewer3>(ViewerSource3{file, read}, window, FactorsRequest3{}, 1.0);
+  Viewer3* const its = viewer.get();
+  return {std::move(viewer), [its]() -> const std::optional<Prompt>& { return its->prompt(); },
           [its] { return write_scene_3(*its->scene()); }, [its] { return !its->state().problem.empty(); },
           [its] { return corners_text(*its); }};
 }
@@ -178,7 +178,7 @@ class Storm {
     } catch (const std::exception& error) {
       fail(what + " throws: " + error.what() + ", after " + last_);
     }
-    desk_ = {};
+    viewer_ = {};
     return result_;
   }
 
@@ -204,9 +204,9 @@ class Storm {
   }
 
   void begin() {
-    ++result_.desks;
+    ++result_.viewers;
     write(first_);
-    desk_ = desk_on(options_, file(), window_);
+    viewer_ = viewer_on(options_, file(), window_);
     is_changed_on_disk_ = false;
   }
 
@@ -214,20 +214,20 @@ class Storm {
   void batch() {
     const std::uint64_t count = 1 + below(one_in(4) ? 30 : 4);
     for (std::uint64_t k = 0; k < count && result_.events < options_.events; ++k) {
-      if (one_in(40) && !desk_.prompt()) rewrite();
+      if (one_in(40) && !viewer_.prompt()) rewrite();
       event();
-      if (desk_.desk->wants_quit()) begin();
+      if (viewer_.viewer->wants_quit()) begin();
     }
-    desk_.desk->pass_time(one_in(2) ? Rational(1, 50) : Rational(0));
-    if (!one_in(5)) desk_.desk->update();
-    if (desk_.has_problem()) ++result_.problems;
+    viewer_.viewer->pass_time(one_in(2) ? Rational(1, 50) : Rational(0));
+    if (!one_in(5)) viewer_.viewer->update();
+    if (viewer_.has_problem()) ++result_.problems;
     if (one_in(3)) std::this_thread::sleep_for(std::chrono::microseconds(below(one_in(8) ? 30000 : 2000)));
   }
 
   void handle(const WindowEvent& event) {
     ++result_.events;
     last_ = text_of(event);
-    desk_.desk->handle(event);
+    viewer_.viewer->handle(event);
   }
   static std::string text_of(const WindowEvent& event) {
     return "kind " + std::to_string(static_cast<int>(event.kind)) + " key '" + key_text(event) + "' text '" +
@@ -253,7 +253,7 @@ class Storm {
 
   void event() {
     const std::uint64_t kind = below(100);
-    if (desk_.prompt() && kind < 70) return answer();
+    if (viewer_.prompt() && kind < 70) return answer();
     if (kind < 35) return press_key();
     if (kind < 40) return material();
     if (kind < 55) return handle(at_place(Kind::kMove));
@@ -288,18 +288,18 @@ class Storm {
     if (one_in(2)) {  // where the scene is seen
       handle(key_event("escape"));
       handle(key_event("f"));
-      desk_.desk->update();
+      viewer_.viewer->update();
     }
-    for (int k = 0; k < 5 && !desk_.prompt(); ++k) {
+    for (int k = 0; k < 5 && !viewer_.prompt(); ++k) {
       handle(at_place(Kind::kMove));
       handle(key_event("i"));
       handle({.kind = Kind::kText, .text = "i"});
     }
-    if (!desk_.prompt() || !desk_.prompt()->keys.empty()) return;
+    if (!viewer_.prompt() || !viewer_.prompt()->keys.empty()) return;
     handle(key_event("ctrl+u"));
     handle({.kind = Kind::kText, .text = kTexts[below(6)]});
     handle(key_event("enter"));
-    if (desk_.prompt()) handle(key_event("escape"));
+    if (viewer_.prompt()) handle(key_event("escape"));
     if (one_in(2)) handle(key_event(std::to_string(below(one_in(2) ? 10 : 4))));
   }
 
@@ -319,7 +319,7 @@ class Storm {
     for (std::uint64_t k = 1 + below(6); k > 0; --k) {
       handle(at_place(Kind::kMove));
       if (one_in(6)) press_key();
-      if (one_in(3)) desk_.desk->update();
+      if (one_in(3)) viewer_.viewer->update();
     }
     if (one_in(8)) return;
     WindowEvent release = at_place(Kind::kRelease);
@@ -330,7 +330,7 @@ class Storm {
   // What is under the mouse is picked, and dragged from there, along axes too; in the plane a click picks as well.
   void drag_picked() {
     if (one_in(3)) handle(key_event("f"));
-    desk_.desk->update();
+    viewer_.viewer->update();
     WindowEvent press = at_place(Kind::kMove);
     press.button = MouseButton::kLeft;
     for (const Kind kind : {Kind::kMove, Kind::kPress, Kind::kRelease, Kind::kPress}) {
@@ -344,12 +344,12 @@ class Storm {
       press.x += static_cast<double>(below(61)) - 30;
       press.y += static_cast<double>(below(61)) - 30;
       handle(press);
-      if (one_in(2)) desk_.desk->update();
+      if (one_in(2)) viewer_.viewer->update();
     }
     if (one_in(6)) press_key();
     press.kind = Kind::kRelease;
     handle(press);
-    const std::string moved = desk_.shape();
+    const std::string moved = viewer_.shape();
     result_.shapes += moved != shape_ ? 1 : 0;
     shape_ = moved;
   }
@@ -366,7 +366,7 @@ class Storm {
 
   // What is asked for is typed, and sometimes is right. No file is written beside those of the storm.
   void answer() {
-    const Prompt asked = *desk_.prompt();
+    const Prompt asked = *viewer_.prompt();
     if (!asked.keys.empty())
       return handle(key_event(one_in(3) ? std::string("escape") : asked.keys[below(asked.keys.size())].first));
     handle(key_event("ctrl+u"));
@@ -376,17 +376,17 @@ class Storm {
     if (asked.question == "save as")
       text = (folder_ / any_of(std::array{"scene.json", "other.json", "scene.obj"})).string();
     if (asked.question != "picture" && asked.question != "save as" && one_in(3)) text = asked.text;
-    if (!desk_.prompt()) return;
+    if (!viewer_.prompt()) return;
     handle({.kind = Kind::kText, .text = text});  // dropped where it is that of the key which asked
-    if (desk_.prompt() && desk_.prompt()->text != text && desk_.prompt()->keys.empty())
+    if (viewer_.prompt() && viewer_.prompt()->text != text && viewer_.prompt()->keys.empty())
       handle({.kind = Kind::kText, .text = text});
-    if (desk_.prompt() && desk_.prompt()->text == text) handle(key_event(one_in(5) ? "escape" : "enter"));
-    if (desk_.prompt()) handle(key_event("escape"));
+    if (viewer_.prompt() && viewer_.prompt()->text == text) handle(key_event(one_in(5) ? "escape" : "enter"));
+    if (viewer_.prompt()) handle(key_event("escape"));
   }
 
   void look_at_file() {
     handle({.kind = Kind::kFocus});
-    desk_.desk->update();
+    viewer_.viewer->update();
   }
 
   // Another program writes the file, which is gone for a while at times.
@@ -405,29 +405,29 @@ class Storm {
 
   // (3)
   void rest() {
-    for (int k = 0; k < 5 && desk_.prompt(); ++k) desk_.desk->handle(key_event("escape"));
+    for (int k = 0; k < 5 && viewer_.prompt(); ++k) viewer_.viewer->handle(key_event("escape"));
     for (const MouseButton button : kButtons)
-      desk_.desk->handle({.kind = Kind::kRelease, .x = last_x_, .y = last_y_, .button = button});
-    if (desk_.desk->pass_time(0)) desk_.desk->command("play");
-    desk_.desk->settle(kPatience);
+      viewer_.viewer->handle({.kind = Kind::kRelease, .x = last_x_, .y = last_y_, .button = button});
+    if (viewer_.viewer->pass_time(0)) viewer_.viewer->command("play");
+    viewer_.viewer->settle(kPatience);
     std::string text;
     try {
-      text = desk_.written();
+      text = viewer_.written();
     } catch (const std::runtime_error&) {
       return;  // no file can hold it
     }
-    if (desk_.has_problem()) return;
+    if (viewer_.has_problem()) return;
     const std::filesystem::path copy = folder_ / "fresh" / "scene.json";
     std::filesystem::create_directories(copy.parent_path());
     std::ofstream(copy) << text;
     RecordingWindow window({64, 48});
     StormOptions undivided = options_;
     undivided.elements = 1;  // the file says how they are divided
-    const StormDesk fresh = desk_on(undivided, copy, window);
-    fresh.desk->settle(kPatience);
+    const StormViewer fresh = viewer_on(undivided, copy, window);
+    fresh.viewer->settle(kPatience);
     ++result_.rests;
-    const std::string here = desk_.desk->hashes(), there = fresh.desk->hashes();
-    if (here != there) fail("at rest the files are " + here + ", of a fresh desk " + there);
+    const std::string here = viewer_.viewer->hashes(), there = fresh.viewer->hashes();
+    if (here != there) fail("at rest the files are " + here + ", of a fresh viewer " + there);
   }
 
   static constexpr std::array kButtons{MouseButton::kLeft, MouseButton::kLeft, MouseButton::kLeft, MouseButton::kMiddle,
@@ -437,7 +437,7 @@ class Storm {
   TemporaryFolder folder_;
   RecordingWindow window_;
   std::string first_, last_, shape_;
-  StormDesk desk_;
+  StormViewer viewer_;
   StormResult result_;
   std::uint64_t rests_ = 0;
   double last_x_ = 0, last_y_ = 0;
@@ -448,4 +448,4 @@ class Storm {
 
 StormResult run_storm(const StormOptions& options) { return Storm(options).run(); }
 
-}  // namespace hottel::desk_storm
+}  // namespace hottel::viewer_storm

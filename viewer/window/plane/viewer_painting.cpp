@@ -1,4 +1,4 @@
-// The frames of a desk.
+// The frames of a viewer.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,10 +14,10 @@
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/palette.h"
 #include "viewer/window/commands.h"
-#include "viewer/window/desk_texts.h"
 #include "viewer/window/file_questions.h"
 #include "viewer/window/help.h"
-#include "viewer/window/plane/desk.h"
+#include "viewer/window/plane/viewer.h"
+#include "viewer/window/viewer_texts.h"
 
 namespace hottel {
 namespace {
@@ -30,7 +30,7 @@ constexpr std::uint32_t kBlank = 0xFFFDFCFA;       // where nothing can be drawn
 
 }  // namespace
 
-LookDrawing2 Desk2::drawing() const {
+LookDrawing2 Viewer2::drawing() const {
   const bool is_lit = !looks_.state().problem.empty() && looks_.lit();
   return {.state = is_lit ? looks_.texture()->state.get() : &looks_.state(),
           .request = &looks_.request(),
@@ -41,7 +41,7 @@ LookDrawing2 Desk2::drawing() const {
 }
 
 // Everything but what is said about it.
-void Desk2::draw_marks(PictureCanvas& canvas) const {
+void Viewer2::draw_marks(PictureCanvas& canvas) const {
   const Frame2 frame = camera_.frame(size_);
   const LiveState2& state = looks_.state();
   if (!state.scene) {
@@ -55,7 +55,7 @@ void Desk2::draw_marks(PictureCanvas& canvas) const {
   draw_edges(canvas, frame, *state.scene, palette::kInk, 2 * unit_);
 }
 
-void Desk2::draw_base() {
+void Viewer2::draw_base() {
   base_ = Raster(size_.width, size_.height);
   needs_base_ = false;
   make_legend();
@@ -69,7 +69,7 @@ void Desk2::draw_base() {
   }
 }
 
-void Desk2::draw_selection(PictureCanvas& canvas) const {
+void Viewer2::draw_selection(PictureCanvas& canvas) const {
   const Frame2 frame = camera_.frame(size_);
   const Scene2& scene = *shown_scene();
   const auto stroke = [&](std::uint32_t s, const Colour& colour, double width) {
@@ -97,7 +97,7 @@ void Desk2::draw_selection(PictureCanvas& canvas) const {
       if (const auto face = face_called(scene, name)) stroke(face->surface, colour, 4);
 }
 
-void Desk2::draw_tool(PictureCanvas& canvas) const {
+void Viewer2::draw_tool(PictureCanvas& canvas) const {
   const Frame2 frame = camera_.frame(size_);
   if (drag_ == Drag::kRectangle) {
     const Pixel corners[] = {pressed_, {mouse_.x, pressed_.y}, mouse_, {pressed_.x, mouse_.y}};
@@ -115,7 +115,7 @@ void Desk2::draw_tool(PictureCanvas& canvas) const {
 }
 
 // Where the scene has no light, and what `check` says of it.
-void Desk2::draw_problem(PictureCanvas& canvas) {
+void Viewer2::draw_problem(PictureCanvas& canvas) {
   const LiveState2& state = looks_.state();
   if (state.problem.empty()) return;
   const Frame2 frame = camera_.frame(size_);
@@ -143,9 +143,9 @@ void Desk2::draw_problem(PictureCanvas& canvas) {
              unit_);
 }
 
-std::string Desk2::file_title() const { return title_of(file_, editor_.history().is_changed()); }
+std::string Viewer2::file_title() const { return title_of(file_, editor_.history().is_changed()); }
 
-std::string Desk2::head() const {
+std::string Viewer2::head() const {
   const LiveState2& state = looks_.state();
   std::string text = file_title() + "   " + to_string(request_.look);
   if (request_.look == Look2::kLight) text += fmt::format(", tone {} x {:.3g}", to_string(tone_.tone), tone_.exposure);
@@ -166,7 +166,7 @@ std::string Desk2::head() const {
 
 // Where the mouse is, what lies there, and the number that can be copied: with the place that it is of, while that of
 // the mouse is on its way.
-std::string Desk2::status() const {
+std::string Viewer2::status() const {
   if (!has_mouse_) return "";
   const LookResult2* result = looks_.result();
   const bool has_number = result != nullptr && !result->number.empty();
@@ -188,14 +188,14 @@ std::string Desk2::status() const {
 }
 
 // What light means, with the light under the mouse.
-void Desk2::draw_light_legend(PictureCanvas& canvas, double bottom) const {
+void Viewer2::draw_light_legend(PictureCanvas& canvas, double bottom) const {
   if (!legend_ || request_.look == Look2::kErrors || !looks_.state().problem.empty()) return;
   const LookResult2* result = looks_.result();
   const bool is_marked = has_mouse_ && result != nullptr && !result->at_mouse.empty() && drag_ == Drag::kNone;
   legend_->draw(canvas, is_marked ? std::optional(brightness_of(result->at_mouse)) : std::nullopt, bottom, unit_);
 }
 
-void Desk2::make_legend() {
+void Viewer2::make_legend() {
   const LookDrawing2 drawing = this->drawing();
   const std::shared_ptr<const SolvedLight2> light = drawing.state->prepared ? shown_light_2(drawing) : nullptr;
   if (light == legend_of_ && tone_ == legend_tone_ && request_.look != Look2::kFloor) return;
@@ -210,7 +210,7 @@ void Desk2::make_legend() {
                   grid.channels == 2 ? "mean irradiance, solar [W/m²]" : "mean irradiance [W/m²]");
 }
 
-void Desk2::draw_texts(PictureCanvas& canvas) {
+void Viewer2::draw_texts(PictureCanvas& canvas) {
   std::string line = message_;
   if (const std::string now = status(); !now.empty()) line += (line.empty() ? "" : "   ") + now;
   TextRoom room = draw_head_and_line(canvas, head(), line, scrolls_, unit_);
@@ -224,7 +224,7 @@ void Desk2::draw_texts(PictureCanvas& canvas) {
   draw_side_texts(canvas, {&text, 1}, kPanelWidth, room, scrolls_, unit_);
 }
 
-void Desk2::draw() {
+void Viewer2::draw() {
   if (needs_base_ || base_.width != size_.width || base_.height != size_.height) draw_base();
   frame_ = base_;
   CairoCanvas canvas(frame_);

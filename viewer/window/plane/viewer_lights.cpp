@@ -1,21 +1,21 @@
-// What a desk does to lights, and how it draws them.
+// What a viewer does to lights, and how it draws them.
 #include <utility>
 
 #include "geometry/plane/scene/moving_lights.h"
 #include "kernel/support/failure.h"
 #include "viewer/edit/light_edits.h"
 #include "viewer/window/lights.h"
-#include "viewer/window/plane/desk.h"
+#include "viewer/window/plane/viewer.h"
 
 namespace hottel {
 
 // The light under the mouse; where no edge is there either, the one that is selected.
-std::optional<std::uint32_t> Desk2::light_meant() const {
+std::optional<std::uint32_t> Viewer2::light_meant() const {
   if (hover_light_) return hover_light_->light;
   return hover_.surface ? std::nullopt : editor_.selected_light();
 }
 
-bool Desk2::light_command(std::string_view name) {
+bool Viewer2::light_command(std::string_view name) {
   if (name == "play") {
     play();
     return true;
@@ -29,14 +29,14 @@ bool Desk2::light_command(std::string_view name) {
 }
 
 // Lights begin to move, or stand again where the scene has them.
-void Desk2::play() {
+void Viewer2::play() {
   if (time_)
     stop();
   else
     message_ = begin_to_move(time_, editor_.is_dragging(), has_moving_lights(*editor_.scene()));
 }
 
-void Desk2::stop() {
+void Viewer2::stop() {
   time_.reset();
   moved_.reset();
   looks_.set_scene(editor_.scene(), LiveDepth2::kFull);
@@ -44,7 +44,7 @@ void Desk2::stop() {
   message_ = "the lights stand";
 }
 
-bool Desk2::pass_time(const Rational& seconds) {
+bool Viewer2::pass_time(const Rational& seconds) {
   if (!time_) return false;
   *time_ += seconds;
   if (seconds > 0 && looks_.is_at_rest()) move_lights();
@@ -52,7 +52,7 @@ bool Desk2::pass_time(const Rational& seconds) {
 }
 
 // Shows the lights at their time, as far as they may be there.
-void Desk2::move_lights() {
+void Viewer2::move_lights() {
   needs_frame_ = true;
   auto moved = std::make_shared<const Scene2>(scene_after(*editor_.scene(), *time_));
   std::string problem = has_moving_lights(*editor_.scene()) ? "" : "no light moves";
@@ -71,7 +71,7 @@ void Desk2::move_lights() {
   looks_.set_scene(moved_, LiveDepth2::kCoarse);
 }
 
-void Desk2::change_light(std::uint32_t light, std::string_view name) {
+void Viewer2::change_light(std::uint32_t light, std::string_view name) {
   const std::string changed = editor_.change_light(light, [name](Light& values, Rational& rotation) {
     edit_light(values, {&rotation, 1}, name);
   });
@@ -84,7 +84,7 @@ void Desk2::change_light(std::uint32_t light, std::string_view name) {
     message_ = now.name + ": " + light_text(now, {&rotation, 1});
 }
 
-void Desk2::ask_for_light(std::uint32_t light) {
+void Viewer2::ask_for_light(std::uint32_t light) {
   prompt_ = light_prompt(editor_.scene()->lights[light], {editor_.scene()->light_places[light].rotation},
                          [this, light](const Light& values, std::span<const Rational> rotation) {
                            editor_.change_light(light, [&](Light& changed, Rational& turning) {
@@ -95,7 +95,7 @@ void Desk2::ask_for_light(std::uint32_t light) {
                          });
 }
 
-void Desk2::draw_lights(PictureCanvas& canvas) const {
+void Viewer2::draw_lights(PictureCanvas& canvas) const {
   const Scene2& scene = *shown_scene();
   for (std::uint32_t k = 0; k < scene.lights.size(); ++k) {
     if (scene.lights[k].is_sun()) continue;  // it is nowhere

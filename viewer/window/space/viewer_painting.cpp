@@ -1,4 +1,4 @@
-// The frames of a desk in space.
+// The frames of a viewer in space.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,10 +16,10 @@
 #include "viewer/window/lights.h"
 #include "viewer/window/panel.h"
 #include "viewer/window/space/commands.h"
-#include "viewer/window/space/desk.h"
 #include "viewer/window/space/first_light.h"
 #include "viewer/window/space/light_lines.h"
 #include "viewer/window/space/outlines.h"
+#include "viewer/window/space/viewer.h"
 
 namespace hottel {
 namespace {
@@ -33,8 +33,8 @@ constexpr std::uint32_t kBlank = 0xFFFDFCFA;  // where nothing can be drawn
 }  // namespace
 
 // What the camera sees, painted: kept pictures of it take another paint, where that will do.
-const SeenPicture3& Desk3::see(const std::shared_ptr<const LiveModel3>& model, const ElementPaint3& paint,
-                               bool is_smooth, std::optional<Seen>& kept) const {
+const SeenPicture3& Viewer3::see(const std::shared_ptr<const LiveModel3>& model, const ElementPaint3& paint,
+                                 bool is_smooth, std::optional<Seen>& kept) const {
   const SmoothMesh3* mesh = is_smooth ? &model->mesh : nullptr;
   const Camera3 camera = camera_.camera(size_);
   const bool is_kept = kept && kept->model == model && kept->camera == camera && kept->is_smooth == is_smooth &&
@@ -44,13 +44,13 @@ const SeenPicture3& Desk3::see(const std::shared_ptr<const LiveModel3>& model, c
   return kept->picture;
 }
 
-void Desk3::add_outlines(const SeenPicture3& picture) {
+void Viewer3::add_outlines(const SeenPicture3& picture) {
   if (!has_outlines_ || !state().version) return;
   const auto width = static_cast<std::uint32_t>(std::max(1.0, std::round(unit_)));
   draw_outlines_3(base_, picture.parts(), look().version()->model().table(), width);
 }
 
-void Desk3::draw_seen() {
+void Viewer3::draw_seen() {
   live_.look_from(place_of(camera_.camera(size_).eye));
   const ShownLook3 look = this->look();
   const auto& model = look.version()->shared_model();
@@ -84,7 +84,7 @@ void Desk3::draw_seen() {
 }
 
 // Everything but what is said about it.
-void Desk3::draw_base() {
+void Viewer3::draw_base() {
   needs_base_ = false;
   needs_frame_ = true;
   try {
@@ -102,7 +102,7 @@ void Desk3::draw_base() {
 }
 
 // The polygon under the mouse where light is seen.
-void Desk3::draw_touched(PictureCanvas& canvas) const {
+void Viewer3::draw_touched(PictureCanvas& canvas) const {
   if (hover_ && seen() != nullptr && look().values() == nullptr && drag_ == Drag::kNone) {
     std::vector<std::vector<Pixel>> outlines;
     const std::vector<Element>& elements = seen()->model->table().elements();
@@ -117,7 +117,7 @@ void Desk3::draw_touched(PictureCanvas& canvas) const {
   }
 }
 
-void Desk3::draw_problem(PictureCanvas& canvas) {
+void Viewer3::draw_problem(PictureCanvas& canvas) {
   if (state().problem.empty()) return;
   canvas.fill_rectangle(Mark::kPaper, {0, 0}, {canvas.width(), canvas.height()}, kDimmed);
   draw_panel(canvas, {.lines = {"no light", state().problem}, .is_warning = true},
@@ -128,9 +128,9 @@ void Desk3::draw_problem(PictureCanvas& canvas) {
              unit_);
 }
 
-std::string Desk3::file_title() const { return title_of(file_, is_changed()); }
+std::string Viewer3::file_title() const { return title_of(file_, is_changed()); }
 
-std::string Desk3::head() const {
+std::string Viewer3::head() const {
   std::string text = file_title() + "   " + to_string(request_.look);
   const ShownLook3 look = this->look();
   if (look.values() == nullptr) text += fmt::format(", tone {} x {:.3g}", to_string(tone_), exposure_);
@@ -151,7 +151,7 @@ std::string Desk3::head() const {
 }
 
 // What lies under the mouse.
-std::string Desk3::status() const {
+std::string Viewer3::status() const {
   if (hover_light_ && drag_ == Drag::kNone) return light_line_3(*scene(), hover_light_->light);
   if (!hover_) return "";
   const Scene3& found_in = hover_->model->prepared.scene;
@@ -165,7 +165,7 @@ std::string Desk3::status() const {
 }
 
 // What is known of what is picked and looked at.
-std::vector<SideText> Desk3::side_texts() const {
+std::vector<SideText> Viewer3::side_texts() const {
   std::vector<SideText> texts;
   const ShownLook3 look = this->look();
   if (const auto light = editor_.selected_light()) texts.push_back({"light", light_lines_3(*scene(), *light)});
@@ -177,7 +177,7 @@ std::vector<SideText> Desk3::side_texts() const {
 }
 
 // What colours and light mean, with the value under the mouse.
-void Desk3::draw_legends(PictureCanvas& canvas, double bottom) const {
+void Viewer3::draw_legends(PictureCanvas& canvas, double bottom) const {
   const ShownLook3 look = this->look();
   if (!look.version()) return;
   const bool is_pointed = hover_ && drag_ == Drag::kNone;
@@ -191,7 +191,7 @@ void Desk3::draw_legends(PictureCanvas& canvas, double bottom) const {
   legend_->draw(canvas, has_value ? std::optional(brightness_of(paint_.value(at))) : std::nullopt, bottom, unit_);
 }
 
-void Desk3::draw_texts(PictureCanvas& canvas) {
+void Viewer3::draw_texts(PictureCanvas& canvas) {
   const double x = split_ * size_.width;
   if (is_split()) canvas.stroke(Mark::kLegend, {x, 0}, {x, canvas.height()}, kBar, 3 * unit_);
   std::string line = message_;
@@ -201,7 +201,7 @@ void Desk3::draw_texts(PictureCanvas& canvas) {
   draw_side_texts(canvas, side_texts(), kPanelWidth, room, scrolls_, unit_);
 }
 
-void Desk3::draw() {
+void Viewer3::draw() {
   if (needs_base_ || base_.width != size_.width || base_.height != size_.height) draw_base();
   frame_ = base_;
   CairoCanvas canvas(frame_);

@@ -17,22 +17,22 @@
 #include "viewer/picture/raster.h"
 #include "viewer/picture/space/seen_picture.h"
 #include "viewer/window/background.h"
-#include "viewer/window/desk.h"
-#include "viewer/window/desk_texts.h"
 #include "viewer/window/light_legend.h"
 #include "viewer/window/prompt.h"
 #include "viewer/window/scroll.h"
 #include "viewer/window/space/camera.h"
-#include "viewer/window/space/desk_source.h"
 #include "viewer/window/space/gathered_frame.h"
 #include "viewer/window/space/live_scene.h"
 #include "viewer/window/space/look.h"
+#include "viewer/window/space/viewer_source.h"
+#include "viewer/window/viewer.h"
+#include "viewer/window/viewer_texts.h"
 #include "viewer/window/watched_file.h"
 #include "viewer/window/window.h"
 
 namespace hottel {
 
-// A scene in space on a desk: all that a window does, without a screen.
+// The viewer of a scene in space: all that a window does, without a screen.
 //
 //   (1) the picture is the exact map of the eye (SeenPicture3) at the size of the window: of the light as it is known,
 //       light_before_factors_3 first
@@ -49,10 +49,10 @@ namespace hottel {
 //       soon as it is there; until then, and while anything moves, they have that of elements
 //   (10) where nothing shines the form of the scene is shown, and where light is nearly even, outlines beside it
 // Its functions are for the thread of the window.
-class Desk3 : public Desk {
+class Viewer3 : public Viewer {
  public:
   // Reads the scene. Throws InputError. scale: of letters and lines. REQUIRES: the window outlives it.
-  Desk3(DeskSource3 source, Window& window, const FactorsRequest3& factors, double scale);
+  Viewer3(ViewerSource3 source, Window& window, const FactorsRequest3& factors, double scale);
 
   void handle(const WindowEvent& event) override;
   // Does what a key of that name does (commands_3), at the mouse. Throws UsageError for other names.
@@ -198,7 +198,7 @@ class Desk3 : public Desk {
 
   Window& window_;
   double unit_;
-  DeskSource3 source_;
+  ViewerSource3 source_;
   WatchedFile file_;
   LiveScene3 live_;
   SceneEditor3 editor_;

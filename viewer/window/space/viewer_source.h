@@ -1,4 +1,4 @@
-// Where the scene of a desk in space comes from.
+// Where the scene of a viewer in space comes from.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace hottel {
 
-struct DeskSource3 {
+struct ViewerSource3 {
   std::filesystem::path file;
   std::function<Scene3()> read;  // throws InputError
 };

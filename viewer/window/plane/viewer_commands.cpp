@@ -1,4 +1,4 @@
-// The commands of a desk.
+// The commands of a viewer.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 #include "viewer/picture/plane/drawable.h"
 #include "viewer/window/choices.h"
 #include "viewer/window/commands.h"
-#include "viewer/window/plane/desk.h"
+#include "viewer/window/plane/viewer.h"
 
 namespace hottel {
 namespace {
@@ -23,7 +23,7 @@ constexpr int kLampPixels = 8;  // units, half the side of a lamp
 
 }  // namespace
 
-void Desk2::command(std::string_view name) {
+void Viewer2::command(std::string_view name) {
   needs_frame_ = true;
   message_.clear();
   const std::uint64_t before = editor_.version();
@@ -37,7 +37,7 @@ void Desk2::command(std::string_view name) {
 }
 
 // Why a command changed nothing; empty for those that do not change the scene.
-std::string Desk2::why_nothing(std::string_view name) const {
+std::string Viewer2::why_nothing(std::string_view name) const {
   const auto found = std::ranges::find(commands(), name, &Command::name);
   const bool is_edit = found != commands().end() && found->topic != "look" && found->topic != "file";
   if (!is_edit || name == "all" || name == "escape") return "";
@@ -50,7 +50,7 @@ std::string Desk2::why_nothing(std::string_view name) const {
   return editor_.selected().empty() ? "nothing is selected" : "";
 }
 
-bool Desk2::look_command(std::string_view name) {
+bool Viewer2::look_command(std::string_view name) {
   if (name.starts_with("look ")) {
     const auto look = look_2(name.substr(5));
     if (!look) return false;
@@ -84,7 +84,7 @@ bool Desk2::look_command(std::string_view name) {
   return true;
 }
 
-void Desk2::next_choice(int step) {
+void Viewer2::next_choice(int step) {
   if (request_.look == Look2::kSweeps) {
     request_.solver = next_of(kSolvers, request_.solver, step);
     message_ = std::string("solver ") + to_string(request_.solver);
@@ -94,7 +94,7 @@ void Desk2::next_choice(int step) {
   }
 }
 
-bool Desk2::nudge(std::string_view name) {
+bool Viewer2::nudge(std::string_view name) {
   const bool is_far = name.starts_with("far ");
   if (is_far) name.remove_prefix(4);
   const int x = name == "right" ? 1 : name == "left" ? -1 : 0, y = name == "up" ? 1 : name == "down" ? -1 : 0;
@@ -104,7 +104,7 @@ bool Desk2::nudge(std::string_view name) {
   return true;
 }
 
-bool Desk2::edit_command(std::string_view name) {
+bool Viewer2::edit_command(std::string_view name) {
   const int decimals = decimals_at(camera_.pixels_per_length());
   if (name == "undo") {
     if (editor_.is_dragging()) drag_ = Drag::kNone;
@@ -153,7 +153,7 @@ bool Desk2::edit_command(std::string_view name) {
 }
 
 // What is drawn has the material under the mouse, else the first one that does not shine.
-void Desk2::begin_tool(bool is_edge) {
+void Viewer2::begin_tool(bool is_edge) {
   const std::vector<Material>& materials = editor_.scene()->materials;
   if (materials.empty()) {
     message_ = "there is no material to draw with: add a lamp first";
@@ -166,7 +166,7 @@ void Desk2::begin_tool(bool is_edge) {
   message_ = fmt::format("click {} of '{}'", is_edge ? "two points" : "points", materials[tool_->material].name);
 }
 
-void Desk2::add_tool_point() {
+void Viewer2::add_tool_point() {
   const Point2 at = editor_.snap(pointer()).at;
   if (!tool_->points.empty() && tool_->points.back() == at) return;
   if (tool_->points.size() > 1 && tool_->points.front() == at) return end_tool(true);
@@ -174,14 +174,14 @@ void Desk2::add_tool_point() {
   if (tool_->is_edge && tool_->points.size() == 2) end_tool(false);
 }
 
-void Desk2::end_tool(bool closed) {
+void Viewer2::end_tool(bool closed) {
   message_ = editor_.add_line(tool_->points, closed && tool_->points.size() > 2, tool_->material);
   if (message_.empty()) message_ = "a line has two points at least";
   tool_.reset();
   scene_changed();
 }
 
-bool Desk2::material_command(std::string_view name) {
+bool Viewer2::material_command(std::string_view name) {
   const bool copies_first = name.starts_with("own ");
   if (copies_first) name.remove_prefix(4);
   if (name != "material" && !is_material_edit(name)) return false;
@@ -194,7 +194,7 @@ bool Desk2::material_command(std::string_view name) {
   return true;
 }
 
-void Desk2::change_material(std::string_view name, bool copies_first) {
+void Viewer2::change_material(std::string_view name, bool copies_first) {
   const Face face = asked_face(hover_);
   const std::string changed =
       editor_.change_material(face, copies_first, [name](Material& material) { edit_material(material, name); });
@@ -204,7 +204,7 @@ void Desk2::change_material(std::string_view name, bool copies_first) {
                          spectrum_text(now.emission));
 }
 
-void Desk2::ask_for_material(bool copies_first) {
+void Viewer2::ask_for_material(bool copies_first) {
   const Face face = asked_face(hover_);
   const Material& now = editor_.scene()->materials[*material_of(*editor_.scene(), face)];
   prompt_ = Prompt{.question = now.name + (copies_first ? ", for this group alone" : ""),
@@ -219,7 +219,7 @@ void Desk2::ask_for_material(bool copies_first) {
                    }};
 }
 
-void Desk2::ask_for_coordinates() {
+void Viewer2::ask_for_coordinates() {
   const std::optional<std::uint32_t> light = editor_.selected_light();
   if (!light && !editor_.selected_vertex() && editor_.selected().empty()) {
     message_ = "select what is to go there first";
@@ -247,7 +247,7 @@ void Desk2::ask_for_coordinates() {
                    }};
 }
 
-bool Desk2::file_command(std::string_view name) {
+bool Viewer2::file_command(std::string_view name) {
   if (name == "save") {
     save();
   } else if (name == "save as") {

@@ -13,7 +13,6 @@
 #include "kernel/support/stopwatch.h"
 #include "solver/plane/simulation/simulation_request.h"
 #include "viewer/edit/plane/scene_editor.h"
-#include "viewer/window/desk.h"
 #include "viewer/window/light_legend.h"
 #include "viewer/window/panel.h"
 #include "viewer/window/plane/camera.h"
@@ -21,6 +20,7 @@
 #include "viewer/window/plane/scene_looks.h"
 #include "viewer/window/prompt.h"
 #include "viewer/window/scroll.h"
+#include "viewer/window/viewer.h"
 #include "viewer/window/window.h"
 
 namespace hottel {
@@ -28,7 +28,7 @@ namespace hottel {
 // Of texts about what is looked at, at the right: a fraction of the window's width at most.
 inline constexpr double kPanelWidth = 0.36;
 
-// A scene on a desk: all that a window does, without a screen.
+// The viewer of a scene in the plane: all that a window does, without a screen.
 //
 //   (1) what is shown is always one state of the scene: its edges and its light belong together. What is being edited
 //       is drawn over it at once, in another colour, until its light is there
@@ -42,12 +42,12 @@ inline constexpr double kPanelWidth = 0.36;
 //   grid;
 //       edits, and what is saved, are of the scene as it stands
 // Its functions are for the thread of the window.
-class Desk2 : public Desk {
+class Viewer2 : public Viewer {
  public:
   // Reads the file. Throws InputError. scale: of letters and lines. REQUIRES: the window outlives it.
   // read: the scene of the file, where that has been read just now. side: from which polygons of a map are seen.
-  Desk2(const std::filesystem::path& file, Window& window, SimulationRequest2 request, double scale,
-        std::optional<Scene2> read = {}, MapSide2 side = MapSide2::kInside);
+  Viewer2(const std::filesystem::path& file, Window& window, SimulationRequest2 request, double scale,
+          std::optional<Scene2> read = {}, MapSide2 side = MapSide2::kInside);
 
   void handle(const WindowEvent& event) override;
   // Does what a key of that name does (commands.h), at the mouse. Throws UsageError for other names.

@@ -1,12 +1,12 @@
-// Light of a desk in space that is gathered while it rests.
+// Light of a viewer in space that is gathered while it rests.
 #include <fmt/format.h>
 
-#include "viewer/window/space/desk.h"
+#include "viewer/window/space/viewer.h"
 
 namespace hottel {
 
 // Wishes for what is seen, where nothing moves and there is light to be seen.
-void Desk3::gather() {
+void Viewer3::gather() {
   const bool rests = gathers_ && drag_ == Drag::kNone && !time_ && is_fitted_ && live_.is_at_rest() &&
                      state().is_lit() && state().problem.empty();
   if (!rests || request_.look != LookKind3::kLight || (legend_ && legend_->is_dark())) return gathered_.wish({});
@@ -14,7 +14,7 @@ void Desk3::gather() {
 }
 
 // "gathered 43 %"; nothing where none is gathered.
-std::string Desk3::gathering_text() const {
+std::string Viewer3::gathering_text() const {
   if (!gathered_.is_busy()) return gathered_.done() > 0 ? "   gathered" : "";
   return fmt::format("   gathering {:.0f} %", 100 * gathered_.done());
 }

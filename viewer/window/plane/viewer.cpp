@@ -1,4 +1,4 @@
-#include "viewer/window/plane/desk.h"
+#include "viewer/window/plane/viewer.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/plane/drawable.h"
 #include "viewer/window/file_questions.h"
-#include "viewer/window/plane/desk_script.h"
+#include "viewer/window/plane/viewer_script.h"
 
 namespace hottel {
 namespace {
@@ -24,8 +24,8 @@ constexpr double kMostSide = 0.1, kMostTop = 0.16, kMostBottom = 0.34;  // of th
 
 }  // namespace
 
-Desk2::Desk2(const std::filesystem::path& file, Window& window, SimulationRequest2 request, double scale,
-             std::optional<Scene2> read, MapSide2 side)
+Viewer2::Viewer2(const std::filesystem::path& file, Window& window, SimulationRequest2 request, double scale,
+                 std::optional<Scene2> read, MapSide2 side)
     : window_(window),
       unit_(scale),
       file_(file, side),
@@ -38,7 +38,7 @@ Desk2::Desk2(const std::filesystem::path& file, Window& window, SimulationReques
   scene_changed();
 }
 
-void Desk2::fit() {
+void Viewer2::fit() {
   const double beside = panel_width();
   const FrameSize room{static_cast<std::uint32_t>(std::max(1.0, size_.width - beside)), size_.height};
   const double top = std::min(kFreeTop * unit_, kMostTop * size_.height);
@@ -51,14 +51,14 @@ void Desk2::fit() {
 }
 
 // The room that long texts take at the right.
-double Desk2::panel_width() const {
+double Viewer2::panel_width() const {
   const bool has_panel = request_.look == Look2::kVisibility || request_.look == Look2::kPair ||
                          request_.look == Look2::kCheck || request_.look == Look2::kPlan;
   return has_panel ? kPanelWidth * size_.width : 0;
 }
 
 // As fine as the screen shows a cell.
-std::uint32_t Desk2::texture_pixels() const {
+std::uint32_t Viewer2::texture_pixels() const {
   const auto lit = looks_.lit();
   if (!lit) return 1;
   const Grid2& grid = lit->light->grid.grid;
@@ -66,7 +66,7 @@ std::uint32_t Desk2::texture_pixels() const {
   return static_cast<std::uint32_t>(std::clamp(std::ceil(cell), 1.0, double{kMostPixelsPerCell}));
 }
 
-void Desk2::scene_changed() {
+void Viewer2::scene_changed() {
   needs_frame_ = true;
   if (shown_version_ == editor_.version()) return;
   shown_version_ = editor_.version();
@@ -82,7 +82,7 @@ void Desk2::scene_changed() {
 }
 
 // What is looked at follows the mouse, where it depends on it, and what lies under it.
-void Desk2::request_changed() {
+void Viewer2::request_changed() {
   const bool is_free = has_mouse_ && drag_ == Drag::kNone;
   const bool follows =
       request_.look == Look2::kVisibility ? has_mouse_ : is_free && shows_light_at_mouse(request_.look);
@@ -94,7 +94,7 @@ void Desk2::request_changed() {
   needs_frame_ = true;
 }
 
-bool Desk2::update() {
+bool Viewer2::update() {
   if (looks_.collect()) {
     needs_base_ = true;
     choose_tone();
@@ -107,7 +107,7 @@ bool Desk2::update() {
   return true;
 }
 
-void Desk2::settle(double seconds) {
+void Viewer2::settle(double seconds) {
   update();
   if (!looks_.wait(seconds))
     throw RequestError(fmt::format("{}: the light is not there after {} s", file_.path().string(), seconds));
@@ -116,17 +116,17 @@ void Desk2::settle(double seconds) {
   update();
 }
 
-void Desk2::run() { run_desk(*this, window_, kSecondsBetweenFileChecks); }
+void Viewer2::run() { run_viewer(*this, window_, kSecondsBetweenFileChecks); }
 
-Pixel Desk2::pixel_of_place(std::span<const double> place) const {
+Pixel Viewer2::pixel_of_place(std::span<const double> place) const {
   if (place.size() != 2) throw UsageError("a place of a scene in the plane is X,Y");
   return pixel_of({place[0], place[1]});
 }
 
-std::string Desk2::hashes() const { return result_hashes(looks_.state()); }
+std::string Viewer2::hashes() const { return result_hashes(looks_.state()); }
 
 // The first light that there is tells the tone, unless a hand has.
-void Desk2::choose_tone() {
+void Viewer2::choose_tone() {
   const auto lit = looks_.lit();
   if (has_tone_ || !lit || !shines(lit->light->grid)) return;
   has_tone_ = true;
@@ -134,7 +134,7 @@ void Desk2::choose_tone() {
 }
 
 // Tells what has become of the file.
-void Desk2::watch_file() {
+void Viewer2::watch_file() {
   until_watch_ -= since_watch_.lap();
   if (until_watch_ > 0 || prompt_) return;
   until_watch_ = kSecondsBetweenFileChecks;
@@ -148,7 +148,7 @@ void Desk2::watch_file() {
   needs_frame_ = true;
 }
 
-void Desk2::read_again() {
+void Viewer2::read_again() {
   try {
     Scene2 scene = file_.read();
     require_drawable(scene);
@@ -164,7 +164,7 @@ void Desk2::read_again() {
   scene_changed();
 }
 
-std::string Desk2::save() {
+std::string Viewer2::save() {
   try {
     file_.write(*editor_.scene());
     editor_.mark_saved();
@@ -176,21 +176,21 @@ std::string Desk2::save() {
   }
 }
 
-void Desk2::save_as(const std::filesystem::path& file) {
+void Viewer2::save_as(const std::filesystem::path& file) {
   file_.write_as(file, *editor_.scene());
   editor_.mark_saved();
   message_ = "saved " + file.string();
   needs_frame_ = true;
 }
 
-void Desk2::quit() {
+void Viewer2::quit() {
   const auto leave = [this] { wants_quit_ = true; };
   if (!quitting_loses(file_, editor_.history().is_changed())) return leave();
   prompt_ = quit_question(
       file_, [this] { return save(); }, leave);
 }
 
-void Desk2::save_picture(const std::filesystem::path& file) const {
+void Viewer2::save_picture(const std::filesystem::path& file) const {
   const auto format = picture_format(file.string());
   if (!format) throw UsageError("a picture ends in .png, .svg or .pdf, not '" + file.string() + "'");
   CairoCanvas canvas(*format, size_.width, size_.height);

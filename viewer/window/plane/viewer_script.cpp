@@ -1,4 +1,4 @@
-#include "viewer/window/plane/desk_script.h"
+#include "viewer/window/plane/viewer_script.h"
 
 #include <fmt/format.h>
 

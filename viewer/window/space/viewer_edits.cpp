@@ -1,4 +1,4 @@
-// What a desk in space does to polygons.
+// What a viewer in space does to polygons.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 #include "viewer/edit/typed_numbers.h"
 #include "viewer/picture/palette.h"
 #include "viewer/window/lights.h"
-#include "viewer/window/space/desk.h"
 #include "viewer/window/space/light_lines.h"
+#include "viewer/window/space/viewer.h"
 
 namespace hottel {
 namespace {
@@ -73,13 +73,13 @@ std::optional<std::pair<int, Rational>> typed_turn(const std::string& text) {
 }  // namespace
 
 // Whether another scene has the face that this one has at an index.
-bool Desk3::knows(const Scene3& other, const Face& face) const {
+bool Viewer3::knows(const Scene3& other, const Face& face) const {
   return face.surface < other.surfaces.size() && face.surface < scene()->surfaces.size() &&
          other.surfaces[face.surface].name == scene()->surfaces[face.surface].name;
 }
 
 // The face that is seen at the mouse: of the picture, where that is of the scene as it is, else what the ray meets.
-std::optional<Face> Desk3::face_at_mouse() const {
+std::optional<Face> Viewer3::face_at_mouse() const {
   const LiveVersion3* version = state().version.get();
   const bool is_shown = hover_ && version != nullptr && version->scene().polygons == scene()->polygons;
   if (is_shown && knows(version->scene(), hover_->face())) return hover_->face();
@@ -88,7 +88,7 @@ std::optional<Face> Desk3::face_at_mouse() const {
 }
 
 // A click picks what lies under the mouse; with ctrl its group, with shift more than before, or less.
-void Desk3::click() {
+void Viewer3::click() {
   const std::optional<Face> face = has_mouse_ ? face_at_mouse() : std::nullopt;
   const std::vector<std::uint32_t> before = editor_.selected();
   if (!face && held_.shift) return;
@@ -106,7 +106,7 @@ void Desk3::click() {
 }
 
 // No face is asked about any more.
-void Desk3::unpick() {
+void Viewer3::unpick() {
   picked_.reset();
   LookRequest3 request = request_;
   request.face.reset();
@@ -114,7 +114,7 @@ void Desk3::unpick() {
 }
 
 // Picks a light, a polygon or a side of it, or a group. Throws UsageError where there is none of that name.
-void Desk3::pick(const std::string& name) {
+void Viewer3::pick(const std::string& name) {
   const auto light = std::ranges::find(scene()->lights, name, &Light::name);
   if (light != scene()->lights.end())
     return editor_.select_light(static_cast<std::uint32_t>(light - scene()->lights.begin()));
@@ -130,7 +130,7 @@ void Desk3::pick(const std::string& name) {
   pick(face);
 }
 
-void Desk3::drag_edit() {
+void Viewer3::drag_edit() {
   editor_.drag(pointer(held_));
   message_ = editor_.refusal();
   if (const auto place = editor_.place_of_selection(); message_.empty() && place) message_ = coordinates_text_3(*place);
@@ -138,7 +138,7 @@ void Desk3::drag_edit() {
 }
 
 // A key for an axis, while something is dragged.
-bool Desk3::hold_axis(const WindowEvent& event) {
+bool Viewer3::hold_axis(const WindowEvent& event) {
   const auto axis = std::ranges::find(kAxisNames, event.key);
   if (drag_ != Drag::kEdit || event.held != HeldKeys() || axis == kAxisNames.end()) return false;
   editor_.toggle_axis(static_cast<int>(axis - kAxisNames.begin()));
@@ -146,7 +146,7 @@ bool Desk3::hold_axis(const WindowEvent& event) {
   return true;
 }
 
-bool Desk3::selection_command(std::string_view name) {
+bool Viewer3::selection_command(std::string_view name) {
   const bool is_known = name == "groups" || name == "coordinates" || name.starts_with("turn") || name == "copy" ||
                         name == "delete" || name == "reverse";
   if (!is_known) return false;
@@ -171,7 +171,7 @@ bool Desk3::selection_command(std::string_view name) {
   return true;
 }
 
-void Desk3::copy_selection() {
+void Viewer3::copy_selection() {
   const Direction3 from = place_of(*editor_.place_of_selection());
   const Pointer3 hand = pointer();
   const double pixel = camera_.length_of_pixel(size_) / camera_.distance() * std::max(hand.depth(from), 0.0);
@@ -182,7 +182,7 @@ void Desk3::copy_selection() {
       "it goes no further");
 }
 
-void Desk3::turn_selection(std::string_view name) {
+void Viewer3::turn_selection(std::string_view name) {
   if (name == "turn by") return ask_for_turn();
   const auto light = editor_.selected_light();
   const bool has_axis = !light || scene()->lights[*light].type != LightType::kPoint;
@@ -196,7 +196,7 @@ void Desk3::turn_selection(std::string_view name) {
       !has_axis ? "a point light has no axis to turn" : "it turns about the vertical, and that is its axis");
 }
 
-void Desk3::ask_for_turn() {
+void Viewer3::ask_for_turn() {
   if (editor_.selected_light()) {
     message_ = "a light is selected: that is for polygons";
     return;
@@ -215,7 +215,7 @@ void Desk3::ask_for_turn() {
 }
 
 // A coordinate that is typed as it was shown stays, with all the digits that it has.
-void Desk3::ask_for_place() {
+void Viewer3::ask_for_place() {
   const Point3 from = *editor_.place_of_selection();
   const std::string shown = coordinates_text_3(from);
   prompt_ = Prompt{.question = "goes to", .text = shown, .answer = [this, from, shown](const std::string& text) {
@@ -230,7 +230,7 @@ void Desk3::ask_for_place() {
                    }};
 }
 
-bool Desk3::add_command(std::string_view name) {
+bool Viewer3::add_command(std::string_view name) {
   if (name != "box" && name != "rectangle") return false;
   if (editor_.is_dragging())
     message_ = "not while something is dragged";
@@ -242,14 +242,14 @@ bool Desk3::add_command(std::string_view name) {
 }
 
 // The material under the mouse, else the first one that does not shine.
-std::uint32_t Desk3::material_of_new() const {
+std::uint32_t Viewer3::material_of_new() const {
   if (hover_ && hover_->element().material) return *hover_->element().material;
   const auto dark = std::ranges::find_if(scene()->materials, [](const Material& m) { return m.emission.is_zero(); });
   return dark == scene()->materials.end() ? 0 : static_cast<std::uint32_t>(dark - scene()->materials.begin());
 }
 
 // Asks for two opposite corners: on the surface under the mouse, a twentieth of the scene to each side of that.
-void Desk3::ask_for_corners(bool is_box) {
+void Viewer3::ask_for_corners(bool is_box) {
   const Pointer3 hand = pointer();
   const std::optional<Pick3> picked = has_mouse_ ? editor_.pick(hand) : std::nullopt;
   const Direction3 at = picked ? place_of(picked->place) : hand.eye + camera_.distance() * hand.forward;
@@ -277,7 +277,7 @@ void Desk3::ask_for_corners(bool is_box) {
 }
 
 // Adds what is typed; returns why it cannot be.
-std::string Desk3::add_between(bool is_box, bool looks_back, std::uint32_t material, const std::string& text) {
+std::string Viewer3::add_between(bool is_box, bool looks_back, std::uint32_t material, const std::string& text) {
   const Typed<std::vector<Rational>> typed = typed_numbers(text);
   if (!typed.value) return typed.problem;
   const std::vector<Rational>& n = *typed.value;
@@ -291,7 +291,7 @@ std::string Desk3::add_between(bool is_box, bool looks_back, std::uint32_t mater
 }
 
 // The face that is picked keeps its name.
-void Desk3::keep_picked(const Scene3& before) {
+void Viewer3::keep_picked(const Scene3& before) {
   if (!request_.face || request_.face->surface >= before.surfaces.size()) return;
   const std::string& name = before.surfaces[request_.face->surface].name;
   if (request_.face->surface < scene()->surfaces.size() && scene()->surfaces[request_.face->surface].name == name)
@@ -304,7 +304,7 @@ void Desk3::keep_picked(const Scene3& before) {
 }
 
 // Why an edited scene may not be so: the eye would be in a solid.
-std::string Desk3::why_not_stand(const Scene3& edited) const {
+std::string Viewer3::why_not_stand(const Scene3& edited) const {
   const Point3 eye = camera_.camera(size_).eye;
   if (!is_in_box_of_changes(*scene(), edited, eye)) return "";
   try {
@@ -317,7 +317,7 @@ std::string Desk3::why_not_stand(const Scene3& edited) const {
 }
 
 // The borders of what is selected, whatever hides them, and corners to be dragged.
-void Desk3::draw_selection(PictureCanvas& canvas) const {
+void Viewer3::draw_selection(PictureCanvas& canvas) const {
   const auto draw_loop = [&](const std::vector<Point3>& points) {
     for (std::size_t k = 0; k < points.size(); ++k)
       if (const auto line = camera_.line(place_of(points[k]), place_of(points[(k + 1) % points.size()]), size_))

@@ -12,11 +12,11 @@
 #include "tests/sanitizers.h"
 #include "tests/solver/plane/edited_scenes.h"
 #include "viewer/window/commands.h"
-#include "viewer/window/plane/desk.h"
-#include "viewer/window/plane/desk_script.h"
+#include "viewer/window/plane/viewer.h"
+#include "viewer/window/plane/viewer_script.h"
 #include "viewer/window/recording_window.h"
 
-namespace hottel::testing_cli::edited_desk_test {
+namespace hottel::testing_cli::edited_viewer_test {
 namespace {
 
 constexpr std::uint32_t kCells = 6;
@@ -26,7 +26,7 @@ constexpr int kEdits = kHasAddressSanitizer ? 60 : 1000;
 // A hand that does things at random, by the events that a window gives.
 class RandomHand {
  public:
-  RandomHand(Desk2& desk, std::uint64_t seed) : desk_(desk), random_(seed) {}
+  RandomHand(Viewer2& viewer, std::uint64_t seed) : viewer_(viewer), random_(seed) {}
 
   // Does one thing, and what leads to it. Returns what it was.
   std::string act() {
@@ -84,30 +84,30 @@ class RandomHand {
   }
 
   std::string key(const std::string& text) {
-    desk_.handle(key_event(text));
+    viewer_.handle(key_event(text));
     return text;
   }
   std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % n); }
 
  private:
-  const Scene2& scene() const { return *desk_.editor().scene(); }
+  const Scene2& scene() const { return *viewer_.editor().scene(); }
   const char* pick(const std::vector<const char*>& words) { return words[below(words.size())]; }
   std::string number() { return std::to_string(below(17)) + pick({"/2", "/3", "", "/7"}); }
 
   const Edge2& edge() { return scene().edges[below(scene().edges.size())]; }
   Pixel between(const Edge2& e, double t) {
-    return desk_.pixel_of(
+    return viewer_.pixel_of(
         {std::lerp(to_double(e.from.x), to_double(e.to.x), t), std::lerp(to_double(e.from.y), to_double(e.to.y), t)});
   }
   Pixel vertex() { return between(edge(), static_cast<double>(below(2))); }
   Pixel middle() { return between(edge(), 0.5); }
   Pixel on_edge() { return between(edge(), static_cast<double>(1 + below(9)) / 10); }
   Pixel anywhere() {
-    return desk_.pixel_of({static_cast<double>(below(81)) / 10, static_cast<double>(below(81)) / 10});
+    return viewer_.pixel_of({static_cast<double>(below(81)) / 10, static_cast<double>(below(81)) / 10});
   }
 
   void send(WindowEvent::Kind kind, const Pixel& at, const HeldKeys& held) {
-    desk_.handle({.kind = kind, .x = at.x, .y = at.y, .button = MouseButton::kLeft, .held = held});
+    viewer_.handle({.kind = kind, .x = at.x, .y = at.y, .button = MouseButton::kLeft, .held = held});
   }
   void move(const Pixel& at) { send(WindowEvent::Kind::kMove, at, {}); }
   void click(const Pixel& at, const HeldKeys& held) {
@@ -120,15 +120,15 @@ class RandomHand {
     send(WindowEvent::Kind::kPress, from, held);
     for (int k = 1; k <= 4; ++k)
       send(WindowEvent::Kind::kMove, {std::lerp(from.x, to.x, k / 4.0), std::lerp(from.y, to.y, k / 4.0)}, held);
-    if (below(4) == 0) desk_.update();  // a frame in the middle of it
+    if (below(4) == 0) viewer_.update();  // a frame in the middle of it
     send(WindowEvent::Kind::kRelease, to, held);
   }
   std::string type(const std::string& opens, const std::string& text) {
     key(opens);
     key("ctrl+u");
-    desk_.handle({.kind = WindowEvent::Kind::kText, .text = text});
+    viewer_.handle({.kind = WindowEvent::Kind::kText, .text = text});
     key("enter");
-    if (desk_.prompt()) key("escape");
+    if (viewer_.prompt()) key("escape");
     return opens + " " + text;
   }
   std::string draw() {
@@ -142,7 +142,7 @@ class RandomHand {
     return tool;
   }
 
-  Desk2& desk_;
+  Viewer2& viewer_;
   std::mt19937_64 random_;
 };
 
@@ -154,25 +154,25 @@ std::string without_place(const std::string& message, const std::string& file) {
   return begin == std::string::npos ? text : text.substr(begin + 2);
 }
 
-TEST(EditedDesk, IsThatOfAFreshProcessAfterEveryEdit) {
+TEST(EditedViewer, IsThatOfAFreshProcessAfterEveryEdit) {
   Workplace place;
   Scene2 room = room_to_edit();
   room.grids = {grid_over(room, kCells, kCells)};
   const std::string file = place.path("edited.json").string();
   place.write("edited.json", write_scene_2(room));
   RecordingWindow window({320, 320});
-  Desk2 desk(file, window, {}, 1);
-  RandomHand hand(desk, 20261122);
+  Viewer2 viewer(file, window, {}, 1);
+  RandomHand hand(viewer, 20261122);
   int lit = 0, dark = 0, none = 0;
   for (int k = 0; k < kEdits; ++k) {
     if (k % 50 == 0) hand.key("f");
     // Out of trouble, half of the time.
-    const bool is_dark = !desk.looks().state().problem.empty();
+    const bool is_dark = !viewer.looks().state().problem.empty();
     const std::string what = is_dark && hand.below(2) == 0 ? hand.key("ctrl+z") : hand.act();
-    desk.settle(kPatience);
-    const LiveState2& state = desk.looks().state();
-    ASSERT_EQ(state.scene, desk.editor().scene()) << k << " " << what;
-    ASSERT_FALSE(desk.prompt()) << k << " " << what;
+    viewer.settle(kPatience);
+    const LiveState2& state = viewer.looks().state();
+    ASSERT_EQ(state.scene, viewer.editor().scene()) << k << " " << what;
+    ASSERT_FALSE(viewer.prompt()) << k << " " << what;
     const std::string hashes = result_hashes(state);
     try {
       validate(*state.scene);
@@ -203,4 +203,4 @@ TEST(EditedDesk, IsThatOfAFreshProcessAfterEveryEdit) {
 }
 
 }  // namespace
-}  // namespace hottel::testing_cli::edited_desk_test
+}  // namespace hottel::testing_cli::edited_viewer_test

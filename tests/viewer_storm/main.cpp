@@ -1,16 +1,16 @@
-// hottel_desk_storm: storms of events over the desks of windows, without a screen. Exit code 1 when a law is broken.
+// hottel_viewer_storm: storms of events over viewers without a screen. Exit code 1 when a law is broken.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
 
-#include "tests/viewer/window/desk_storm.h"
+#include "tests/viewer/window/viewer_storm.h"
 
 int main(int argc, char** argv) {
-  using namespace hottel::desk_storm;
+  using namespace hottel::viewer_storm;
   StormOptions options;
   std::uint64_t storms = 10;
-  CLI::App app{"Keys, mouse, sizes, files and time over a window's desk, at random, held against what it promises"};
+  CLI::App app{"Keys, mouse, sizes, files and time over a window's viewer, at random, held against what it promises"};
   app.add_option("--dimension", options.dimension)->capture_default_str()->check(CLI::Range(2, 3));
   app.add_option("--seed", options.seed, "of the first storm")->capture_default_str();
   app.add_option("--storms", storms, "how many")->capture_default_str();
@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
     all.problems += one.problems;
     all.sizes += one.sizes;
     all.reads += one.reads;
-    all.desks += one.desks;
+    all.viewers += one.viewers;
     all.shapes += one.shapes;
     all.rests += one.rests;
     all.failures.insert(all.failures.end(), one.failures.begin(), one.failures.end());
@@ -42,10 +42,10 @@ int main(int argc, char** argv) {
   fmt::print(stderr, "\n");
   fmt::print(
       "{} events: {} keys, {} shapes dragged, {} sizes, {} files written by others; {} frames, {} of them without "
-      "light, {} desks; "
+      "light, {} viewers; "
       "files compared {} times; "
       "{} failures, {:.1f} s\n",
-      all.events, all.edits, all.shapes, all.sizes, all.reads, all.frames, all.problems, all.desks, all.rests,
+      all.events, all.edits, all.shapes, all.sizes, all.reads, all.frames, all.problems, all.viewers, all.rests,
       all.failures.size(), taken.count());
   return all.failures.empty() ? 0 : 1;
 }

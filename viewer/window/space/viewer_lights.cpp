@@ -1,4 +1,4 @@
-// What a desk in space does to lights, and how it draws them.
+// What a viewer in space does to lights, and how it draws them.
 #include <algorithm>
 #include <array>
 
@@ -8,8 +8,8 @@
 #include "viewer/edit/light_edits.h"
 #include "viewer/edit/space/light_region.h"
 #include "viewer/window/lights.h"
-#include "viewer/window/space/desk.h"
 #include "viewer/window/space/light_lines.h"
+#include "viewer/window/space/viewer.h"
 
 namespace hottel {
 namespace {
@@ -26,17 +26,17 @@ std::string place_problem(const Scene3& scene, std::uint32_t light) {
 }  // namespace
 
 // The light under the mouse; where no polygon is there either, the one that is selected.
-std::optional<std::uint32_t> Desk3::light_meant() const {
+std::optional<std::uint32_t> Viewer3::light_meant() const {
   if (hover_light_) return hover_light_->light;
   return hover_ ? std::nullopt : editor_.selected_light();
 }
 
 // Tells what was done, or why nothing was.
-void Desk3::say(const std::string& done, const char* nothing) {
+void Viewer3::say(const std::string& done, const char* nothing) {
   message_ = !done.empty() ? done : !editor_.refusal().empty() ? editor_.refusal() : nothing;
 }
 
-bool Desk3::light_command(std::string_view name) {
+bool Viewer3::light_command(std::string_view name) {
   touch();
   if (name == "light" || name == "play") {
     name == "light" ? add_light() : play();
@@ -50,7 +50,7 @@ bool Desk3::light_command(std::string_view name) {
   return true;
 }
 
-void Desk3::change_light(std::uint32_t light, std::string_view name) {
+void Viewer3::change_light(std::uint32_t light, std::string_view name) {
   Light values = scene()->lights[light];
   const Vector3& rates = scene()->light_places[light].rotation;
   std::array<Rational, 3> rotation{rates.x, rates.y, rates.z};
@@ -65,21 +65,21 @@ void Desk3::change_light(std::uint32_t light, std::string_view name) {
 }
 
 // Lights begin to move, or stand again where the scene has them.
-void Desk3::play() {
+void Viewer3::play() {
   if (time_)
     stop();
   else
     message_ = begin_to_move(time_, editor_.is_dragging(), has_moving_lights(*scene()));
 }
 
-void Desk3::stop() {
+void Viewer3::stop() {
   time_.reset();
   shown_ = told_;
   live_.set(shown_);
   message_ = "the lights stand";
 }
 
-bool Desk3::pass_time(const Rational& seconds) {
+bool Viewer3::pass_time(const Rational& seconds) {
   if (!time_) return false;
   *time_ += seconds;
   if (seconds > 0 && live_.is_at_rest()) move_lights();
@@ -87,7 +87,7 @@ bool Desk3::pass_time(const Rational& seconds) {
 }
 
 // Shows the lights at their time, as far as they may be there.
-void Desk3::move_lights() {
+void Viewer3::move_lights() {
   needs_frame_ = true;
   const auto moved = std::make_shared<const Scene3>(scene_after(*scene(), *time_));
   std::string problem = has_moving_lights(*scene()) ? "" : "no light moves";
@@ -103,7 +103,7 @@ void Desk3::move_lights() {
   live_.set(shown_);
 }
 
-void Desk3::ask_for_light(std::uint32_t light) {
+void Viewer3::ask_for_light(std::uint32_t light) {
   const Vector3& rates = scene()->light_places[light].rotation;
   prompt_ = light_prompt(scene()->lights[light], {rates.x, rates.y, rates.z},
                          [this, light](const Light& values, std::span<const Rational> rotation) {
@@ -113,7 +113,7 @@ void Desk3::ask_for_light(std::uint32_t light) {
 }
 
 // A point light before the surface under the mouse; where none is, as far away as what is looked at.
-void Desk3::add_light() {
+void Viewer3::add_light() {
   if (!has_mouse_) {
     message_ = "the mouse is not there";
     return;
@@ -130,21 +130,21 @@ void Desk3::add_light() {
 }
 
 // Why a light may not be where it is; before there is a model, as far as the scene tells.
-std::string Desk3::why_not(const Scene3& edited, std::uint32_t light, const Point3* before) const {
+std::string Viewer3::why_not(const Scene3& edited, std::uint32_t light, const Point3* before) const {
   const LiveVersion3* version = state().version.get();
   if (version == nullptr || version->scene().polygons != edited.polygons) return place_problem(edited, light);
   return light_refusal(edited, light, version->model().prepared.arrangement().solids(), before);
 }
 
 // Whether something that is seen hides a place.
-bool Desk3::is_hidden(const Direction3& place) const {
+bool Viewer3::is_hidden(const Direction3& place) const {
   const std::optional<Pixel> at = camera_.at(place, size_);
   const std::optional<Direction3> surface = at ? surface_at(*at) : std::nullopt;
   const Direction3 eye = camera_.pointer({}, size_).eye;
   return surface && length(*surface - eye) < (1 - kHidden) * length(place - eye);
 }
 
-void Desk3::draw_lights(PictureCanvas& canvas) const {
+void Viewer3::draw_lights(PictureCanvas& canvas) const {
   const Pointer3 hand = pointer();
   const auto pixel = [&](const Direction3& place) {
     const std::optional<Pixel> at = camera_.at(place, size_);

@@ -1,4 +1,4 @@
-#include "viewer/window/desk_texts.h"
+#include "viewer/window/viewer_texts.h"
 
 #include <algorithm>
 

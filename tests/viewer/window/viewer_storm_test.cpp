@@ -1,9 +1,9 @@
-// A short storm over each desk; hottel_desk_storm makes long ones.
-#include "tests/viewer/window/desk_storm.h"
+// A short storm over each viewer; hottel_viewer_storm makes long ones.
+#include "tests/viewer/window/viewer_storm.h"
 
 #include <gmock/gmock.h>
 
-namespace hottel::desk_storm::desk_storm_test {
+namespace hottel::viewer_storm::viewer_storm_test {
 namespace {
 
 void expect_to_stand(const StormOptions& options) {
@@ -13,17 +13,17 @@ void expect_to_stand(const StormOptions& options) {
   EXPECT_GT(result.frames, options.events / 20);
 }
 
-TEST(DeskStormThread, TheDeskOfThePlaneStands) {
+TEST(ViewerStormThread, TheViewerOfThePlaneStands) {
   expect_to_stand({.dimension = 2, .seed = 1, .events = 600, .most_width = 320, .most_height = 200});
 }
 
-TEST(DeskStormThread, TheDeskOfSpaceStands) {
+TEST(ViewerStormThread, TheViewerOfSpaceStands) {
   expect_to_stand({.dimension = 3, .seed = 1, .events = 600, .most_width = 320, .most_height = 200});
 }
 
-TEST(DeskStormThread, TheDeskOfSpaceStandsWhileFactorsAreOnTheirWay) {
+TEST(ViewerStormThread, TheViewerOfSpaceStandsWhileFactorsAreOnTheirWay) {
   expect_to_stand({.dimension = 3, .seed = 3, .events = 400, .elements = 4, .most_width = 320, .most_height = 200});
 }
 
 }  // namespace
-}  // namespace hottel::desk_storm::desk_storm_test
+}  // namespace hottel::viewer_storm::viewer_storm_test

@@ -1,4 +1,4 @@
-#include "viewer/window/space/desk.h"
+#include "viewer/window/space/viewer.h"
 
 #include <fmt/format.h>
 
@@ -61,7 +61,7 @@ SimulationRequest3 request_of(FactorsRequest3 factors) {
 
 }  // namespace
 
-Desk3::Desk3(DeskSource3 source, Window& window, const FactorsRequest3& factors, double scale)
+Viewer3::Viewer3(ViewerSource3 source, Window& window, const FactorsRequest3& factors, double scale)
     : window_(window),
       unit_(scale),
       source_(std::move(source)),
@@ -80,7 +80,7 @@ Desk3::Desk3(DeskSource3 source, Window& window, const FactorsRequest3& factors,
   set_scene(source_.read());
 }
 
-void Desk3::set_scene(Scene3 scene_read) {
+void Viewer3::set_scene(Scene3 scene_read) {
   const auto read = std::make_shared<const Scene3>(std::move(scene_read));
   live_.set(read);  // throws before anything has changed
   live_.forget();
@@ -106,7 +106,7 @@ void Desk3::set_scene(Scene3 scene_read) {
 }
 
 // Tells the light of another scene.
-void Desk3::scene_changed() {
+void Viewer3::scene_changed() {
   needs_frame_ = true;
   if (told_ == scene()) return;
   keep_picked(*std::exchange(told_, scene()));
@@ -114,17 +114,17 @@ void Desk3::scene_changed() {
 }
 
 // While polygons are dragged the light is coarse.
-void Desk3::tell() {
+void Viewer3::tell() {
   if (time_) return move_lights();
   shown_ = told_;
   live_.set(shown_, drag_ == Drag::kEdit && editor_.is_dragging() ? LiveDepth3::kCoarse : LiveDepth3::kFull);
   if (drag_ != Drag::kLight && drag_ != Drag::kEdit) touch();
 }
 
-void Desk3::fit() { camera_ = EyeCamera3(home_, size_of(*scene())); }
+void Viewer3::fit() { camera_ = EyeCamera3(home_, size_of(*scene())); }
 
 // Moves the eye, unless that brings it into a solid.
-void Desk3::see(const EyeCamera3& camera) {
+void Viewer3::see(const EyeCamera3& camera) {
   if (const auto& version = state().version)
     if (const auto mesh = version->model().prepared.arrangement().solids().around(camera.camera(size_).eye)) {
       const Solids3& solids = version->model().prepared.arrangement().solids();
@@ -135,7 +135,7 @@ void Desk3::see(const EyeCamera3& camera) {
   needs_base_ = true;
 }
 
-bool Desk3::update() {
+bool Viewer3::update() {
   const bool has_come = live_.collect();
   const bool has_looked = looking_.collect();
   if (state().version && !is_fitted_) {
@@ -156,7 +156,7 @@ bool Desk3::update() {
 }
 
 // The first light that there is tells the tone, unless a hand has.
-void Desk3::choose_tone() {
+void Viewer3::choose_tone() {
   if (has_tone_ || !state().is_lit() || !live_.is_at_rest()) return;
   const ElementPaint3& light = state().version->light();
   const bool shines = std::ranges::any_of(light.values, [](double value) { return value > 0; });
@@ -169,7 +169,7 @@ void Desk3::choose_tone() {
   exposure_ = choice.exposure;
 }
 
-void Desk3::settle(double seconds) {
+void Viewer3::settle(double seconds) {
   update();
   Stopwatch watch;
   for (double waited = 0;; waited += watch.lap()) {
@@ -182,12 +182,12 @@ void Desk3::settle(double seconds) {
   }
 }
 
-void Desk3::run() {
+void Viewer3::run() {
   gathers_ = true;
-  run_desk(*this, window_, kSecondsBetweenFileChecks);
+  run_viewer(*this, window_, kSecondsBetweenFileChecks);
 }
 
-void Desk3::set_request(LookRequest3 request) {
+void Viewer3::set_request(LookRequest3 request) {
   if (request == request_) return;
   request_ = std::move(request);
   result_.reset();
@@ -197,7 +197,7 @@ void Desk3::set_request(LookRequest3 request) {
 
 // What is looked at, of the version that is shown. It stops what is on its way, or follows it: then a result of a
 // version before is shown until there is another, so that something new comes however fast versions follow.
-void Desk3::ask(bool stops) {
+void Viewer3::ask(bool stops) {
   asked_of_ = state().version;
   if (result_ && state().version && result_->version->scene().polygons != state().version->scene().polygons)
     result_.reset();
@@ -220,7 +220,7 @@ void Desk3::ask(bool stops) {
 }
 
 // Tells what has become of the file.
-void Desk3::watch_file() {
+void Viewer3::watch_file() {
   until_watch_ -= since_watch_.lap();
   if (until_watch_ > 0 || prompt_) return;
   until_watch_ = kSecondsBetweenFileChecks;
@@ -233,7 +233,7 @@ void Desk3::watch_file() {
   needs_frame_ = true;
 }
 
-void Desk3::read_again() {
+void Viewer3::read_again() {
   try {
     file_.note();
     const EyeCamera3 before = camera_;
@@ -249,7 +249,7 @@ void Desk3::read_again() {
   }
 }
 
-std::string Desk3::save() {
+std::string Viewer3::save() {
   try {
     if (file_.path().extension() != ".json")
       throw UsageError("a scene is saved as .json: use ctrl+shift+s for another name");
@@ -261,7 +261,7 @@ std::string Desk3::save() {
   }
 }
 
-void Desk3::save_as(const std::filesystem::path& file) {
+void Viewer3::save_as(const std::filesystem::path& file) {
   if (file.extension() != ".json") throw UsageError("a scene is saved as .json, not '" + file.string() + "'");
   if (std::ranges::any_of(scene()->groups, [](const Group& group) { return group.behind != Behind::kByOutline; }))
     throw RequestError("a scene whose meshes say what is \"behind\" them cannot be written");
@@ -274,14 +274,14 @@ void Desk3::save_as(const std::filesystem::path& file) {
   needs_frame_ = true;
 }
 
-void Desk3::quit() {
+void Viewer3::quit() {
   const auto leave = [this] { wants_quit_ = true; };
   if (!quitting_loses(file_, is_changed())) return leave();
   prompt_ = quit_question(
       file_, [this] { return save(); }, leave);
 }
 
-void Desk3::save_picture(const std::filesystem::path& file) const {
+void Viewer3::save_picture(const std::filesystem::path& file) const {
   const auto format = picture_format(file.string());
   if (!format) throw UsageError("a picture ends in .png, .svg or .pdf, not '" + file.string() + "'");
   if (gathered_.done() > 0 && *format == PictureFormat::kPng) return write_output_file(file, png_file(base_));
@@ -297,7 +297,7 @@ void Desk3::save_picture(const std::filesystem::path& file) const {
       file, RenderedView3(prepared, Granularity::kElement, *look.radiosities(), std::move(options)).file(*format));
 }
 
-std::string Desk3::hashes() const {
+std::string Viewer3::hashes() const {
   if (!state().is_lit() || state().version->of().scene() != scene() || !state().problem.empty())
     return "factors.csv - radiosity.csv -";
   const LiveVersion3& version = *state().version;
@@ -315,14 +315,14 @@ std::string Desk3::hashes() const {
                      }));
 }
 
-Pixel Desk3::pixel_of_place(std::span<const double> place) const {
+Pixel Viewer3::pixel_of_place(std::span<const double> place) const {
   if (place.size() != 3) throw UsageError("a place of a scene in space is X,Y,Z");
   const std::optional<Pixel> at = camera_.at({place[0], place[1], place[2]}, size_);
   if (!at) throw UsageError("this place is not in front of the eye");
   return *at;
 }
 
-bool Desk3::do_own_step(const ScriptStep& step) {
+bool Viewer3::do_own_step(const ScriptStep& step) {
   constexpr std::array kOwn{"orbit", "turn", "pan", "zoom", "walk", "pick", "material", "eye"};
   if (std::ranges::find(kOwn, step.word) == kOwn.end()) return false;
   const auto numbers = [&](std::size_t most) {

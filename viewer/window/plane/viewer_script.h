@@ -1,4 +1,4 @@
-// What scripts ask of a desk in the plane.
+// What scripts ask of a viewer in the plane.
 #pragma once
 
 #include <string>
