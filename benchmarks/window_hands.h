@@ -56,7 +56,7 @@ class Hands {
 
   Viewer2& viewer() { return viewer_; }
   const Scene2& scene() const { return *viewer_.editor().scene(); }
-  const LiveState2& state() const { return viewer_.looks().state(); }
+  const LiveState2& state() const { return viewer_.views().state(); }
 
   // An event comes; it is taken by until_lit() or take_events().
   void push(WindowEvent event) {

@@ -263,7 +263,7 @@ class Case {
     times_.add("radiosity", seconds_in(state.radiosities->seconds));
     times_.add("light", state.light->seconds);
     Stopwatch watch;
-    first_texture_2(state, hands_.viewer().looks().tone());
+    first_texture_2(state, hands_.viewer().views().tone());
     times_.add("texture", watch.lap());
     return true;
   }

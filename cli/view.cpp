@@ -58,11 +58,11 @@ class FrameFiles {
   int count_ = 0;
 };
 
-// The words of a kind of looks, one of which has to be asked for.
-template <class Look>
-void require_look(const std::string& look, int count) {
+// The words of the view modes of one dimension, one of which must be asked for.
+template <class Mode>
+void require_view_mode(const std::string& look, int count) {
   std::vector<std::string> known;
-  for (int k = 0; k < count; ++k) known.push_back(to_string(static_cast<Look>(k)));
+  for (int k = 0; k < count; ++k) known.push_back(to_string(static_cast<Mode>(k)));
   if (std::ranges::find(known, look) == known.end())
     throw UnknownName("there is nothing to look at called '" + look + "'", look, known);
 }
@@ -72,7 +72,7 @@ std::unique_ptr<Viewer> viewer_of(const ViewOptions& options, Window& window, co
   std::unique_ptr<Viewer> viewer;
   Scene scene = read_scene_noting(options.scene, options.polygons, streams);
   if (Scene3* const space = std::get_if<Scene3>(&scene)) {
-    require_look<LookKind3>(options.look, kLooks3);
+    require_view_mode<ViewMode3>(options.look, kViewModes3);
     // The scene that has been read is the first one.
     const auto first = std::make_shared<std::optional<Scene3>>(std::move(*space));
     const auto read = [file = options.scene, elements = options.elements, first] {
@@ -89,7 +89,7 @@ std::unique_ptr<Viewer> viewer_of(const ViewOptions& options, Window& window, co
     viewer = std::make_unique<Viewer3>(ViewerSource3{options.scene, read}, window,
                                        FactorsRequest3{.memory = options.memory.value_or(0)}, options.scale);
   } else {
-    require_look<Look2>(options.look, kLooks2);
+    require_view_mode<ViewMode2>(options.look, kViewModes2);
     if (options.elements.is_given())
       throw UsageError("--elements and --element-size divide the polygons of scenes in space; " + options.scene +
                        " is in the plane");

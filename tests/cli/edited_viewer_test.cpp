@@ -167,10 +167,10 @@ TEST(EditedViewer, IsThatOfAFreshProcessAfterEveryEdit) {
   for (int k = 0; k < kEdits; ++k) {
     if (k % 50 == 0) hand.key("f");
     // Out of trouble, half of the time.
-    const bool is_dark = !viewer.looks().state().problem.empty();
+    const bool is_dark = !viewer.views().state().problem.empty();
     const std::string what = is_dark && hand.below(2) == 0 ? hand.key("ctrl+z") : hand.act();
     viewer.settle(kPatience);
-    const LiveState2& state = viewer.looks().state();
+    const LiveState2& state = viewer.views().state();
     ASSERT_EQ(state.scene, viewer.editor().scene()) << k << " " << what;
     ASSERT_FALSE(viewer.prompt()) << k << " " << what;
     const std::string hashes = result_hashes(state);

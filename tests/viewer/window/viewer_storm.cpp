@@ -139,7 +139,7 @@ StormViewer viewer_on(const StormOptions& options, const std::filesystem::path& 
               validate(*its->editor().scene());
               return write_scene_2(*its->editor().scene());
             },
-            [its] { return !its->looks().state().problem.empty(); }, [its] { return corners_text(*its); }};
+            [its] { return !its->views().state().problem.empty(); }, [its] { return corners_text(*its); }};
   }
   const auto read = [file, n = options.elements] {
     Scene3 scene = read_scene_3(file);
@@ -283,7 +283,7 @@ class Storm {
   }
 
   // The material under the mouse, or of what is picked, is given values: often those of another one, so that it acts
-  // alike, or does no longer; and something else is looked at before its light is there.
+  // alike, or does no longer; and the view mode changes before its light is there.
   void material() {
     if (one_in(2)) {  // where the scene is seen
       handle(key_event("escape"));

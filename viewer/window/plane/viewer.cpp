@@ -30,7 +30,7 @@ Viewer2::Viewer2(const std::filesystem::path& file, Window& window, SimulationRe
       unit_(scale),
       file_(file, side),
       editor_(read ? std::move(*read) : file_.read()),
-      looks_(std::move(request), [&window] { window.wake(); }),
+      views_(std::move(request), [&window] { window.wake(); }),
       size_(window.size()) {
   if (read) file_.note();
   require_drawable(*editor_.scene());
@@ -47,19 +47,19 @@ void Viewer2::fit() {
   camera_.pan(-beside / 2, 0);
   is_fitted_ = true;
   needs_base_ = true;
-  looks_.set_tone(tone_, texture_pixels());
+  views_.set_tone(tone_, texture_pixels());
 }
 
 // The room that long texts take at the right.
 double Viewer2::panel_width() const {
-  const bool has_panel = request_.look == Look2::kVisibility || request_.look == Look2::kPair ||
-                         request_.look == Look2::kCheck || request_.look == Look2::kPlan;
+  const bool has_panel = request_.mode == ViewMode2::kVisibility || request_.mode == ViewMode2::kPair ||
+                         request_.mode == ViewMode2::kCheck || request_.mode == ViewMode2::kPlan;
   return has_panel ? kPanelWidth * size_.width : 0;
 }
 
 // As fine as the screen shows a cell.
 std::uint32_t Viewer2::texture_pixels() const {
-  const auto lit = looks_.lit();
+  const auto lit = views_.lit();
   if (!lit) return 1;
   const Grid2& grid = lit->light->grid.grid;
   const double cell = to_double((grid.max.x - grid.min.x) / grid.nx) * camera_.pixels_per_length();
@@ -73,7 +73,7 @@ void Viewer2::scene_changed() {
   if (time_)
     move_lights();
   else
-    looks_.set_scene(editor_.scene(), editor_.is_dragging() ? LiveDepth2::kCoarse : LiveDepth2::kFull);
+    views_.set_scene(editor_.scene(), editor_.is_dragging() ? LiveDepth2::kCoarse : LiveDepth2::kFull);
   shown_ = editor_.scene();
   for (std::optional<std::string>* name : {&request_.face, &request_.other})
     if (!face_called(*shown_, *name)) name->reset();
@@ -81,24 +81,24 @@ void Viewer2::scene_changed() {
   touch();
 }
 
-// What is looked at follows the mouse, where it depends on it, and what lies under it.
+// The request follows the mouse, and what lies under it, if the view mode depends on them.
 void Viewer2::request_changed() {
   const bool is_free = has_mouse_ && drag_ == Drag::kNone;
   const bool follows =
-      request_.look == Look2::kVisibility ? has_mouse_ : is_free && shows_light_at_mouse(request_.look);
+      request_.mode == ViewMode2::kVisibility ? has_mouse_ : is_free && shows_light_at_mouse(request_.mode);
   request_.mouse = follows ? std::optional(exact_mouse()) : std::nullopt;
-  if (request_.look == Look2::kFactors)
+  if (request_.mode == ViewMode2::kFactors)
     request_.other = hover_.surface && is_free ? std::optional(asked_name(hover_)) : std::nullopt;
-  if (request_.look != Look2::kFactors && request_.look != Look2::kPair) request_.other.reset();
-  looks_.set_request(request_);
+  if (request_.mode != ViewMode2::kFactors && request_.mode != ViewMode2::kPair) request_.other.reset();
+  views_.set_request(request_);
   needs_frame_ = true;
 }
 
 bool Viewer2::update() {
-  if (looks_.collect()) {
+  if (views_.collect()) {
     needs_base_ = true;
     choose_tone();
-    looks_.set_tone(tone_, texture_pixels());
+    views_.set_tone(tone_, texture_pixels());
   }
   watch_file();
   if (!needs_base_ && !needs_frame_) return false;
@@ -109,10 +109,10 @@ bool Viewer2::update() {
 
 void Viewer2::settle(double seconds) {
   update();
-  if (!looks_.wait(seconds))
+  if (!views_.wait(seconds))
     throw RequestError(fmt::format("{}: the light is not there after {} s", file_.path().string(), seconds));
   update();
-  looks_.wait(seconds);  // what the light at rest asks for: a finer texture
+  views_.wait(seconds);  // what the light at rest asks for: a finer texture
   update();
 }
 
@@ -123,11 +123,11 @@ Pixel Viewer2::pixel_of_place(std::span<const double> place) const {
   return pixel_of({place[0], place[1]});
 }
 
-std::string Viewer2::hashes() const { return result_hashes(looks_.state()); }
+std::string Viewer2::hashes() const { return result_hashes(views_.state()); }
 
 // The first light that there is tells the tone, unless a hand has.
 void Viewer2::choose_tone() {
-  const auto lit = looks_.lit();
+  const auto lit = views_.lit();
   if (has_tone_ || !lit || !shines(lit->light->grid)) return;
   has_tone_ = true;
   tone_ = first_tone(lit->light->grid.values, lit->light->grid.channels, kEvenLight, kUsualTone2);

@@ -17,7 +17,7 @@
 #include "viewer/window/panel.h"
 #include "viewer/window/plane/camera.h"
 #include "viewer/window/plane/scene_file.h"
-#include "viewer/window/plane/scene_looks.h"
+#include "viewer/window/plane/scene_views.h"
 #include "viewer/window/prompt.h"
 #include "viewer/window/scroll.h"
 #include "viewer/window/viewer.h"
@@ -25,7 +25,7 @@
 
 namespace hottel {
 
-// Of texts about what is looked at, at the right: a fraction of the window's width at most.
+// The width of the texts at the right: a fraction of the window's width at most.
 inline constexpr double kPanelWidth = 0.36;
 
 // The viewer of a scene in the plane: all that a window does, without a screen.
@@ -34,7 +34,7 @@ inline constexpr double kPanelWidth = 0.36;
 //       is drawn over it at once, in another colour, until its light is there
 //   (2) a scene whose light cannot be had is drawn over the last light, dimmed, with the message of `check`
 //   (3) while something is dragged, light is on a coarse grid, and the window says so; at rest, state() is that of
-//       SceneLooks2 (1)
+//       SceneViews2 (1)
 //   (4) nothing is lost: quitting and reading the file again ask where there are unsaved changes; that the file is gone
 //       is told, and when it is back it is read, or asked about
 //   (5) a command that can do nothing says why in message(): what a key does is seen
@@ -57,14 +57,14 @@ class Viewer2 : public Viewer {
   bool wants_quit() const override { return wants_quit_; }
   bool pass_time(const Rational& seconds) override;
   Pixel pixel_of_place(std::span<const double> place) const override;
-  std::string hashes() const override;  // result_hashes(looks().state())
+  std::string hashes() const override;  // result_hashes(views().state())
   bool do_own_step(const ScriptStep&) override { return false; }
 
   // Takes events and updates until it wants to quit.
   void run();
 
   const SceneEditor2& editor() const { return editor_; }
-  const SceneLooks2& looks() const { return looks_; }
+  const SceneViews2& views() const { return views_; }
   const Raster& frame() const { return frame_; }
   const std::string& message() const { return message_; }
   const std::optional<Prompt>& prompt() const { return prompt_; }
@@ -97,7 +97,7 @@ class Viewer2 : public Viewer {
   Point2 exact_mouse() const;
 
   // Commands.
-  bool look_command(std::string_view name);
+  bool view_command(std::string_view name);
   bool edit_command(std::string_view name);
   bool material_command(std::string_view name);
   bool light_command(std::string_view name);
@@ -140,7 +140,7 @@ class Viewer2 : public Viewer {
   void draw_light_legend(PictureCanvas& canvas, double bottom) const;
   void choose_tone();
   void make_legend();
-  LookDrawing2 drawing() const;
+  ViewDrawing2 drawing() const;
   std::string file_title() const;
   std::string head() const;
   std::string status() const;
@@ -150,10 +150,10 @@ class Viewer2 : public Viewer {
   double unit_;
   SceneFile2 file_;
   SceneEditor2 editor_;
-  SceneLooks2 looks_;
+  SceneViews2 views_;
   FrameSize size_;
   Camera2 camera_;
-  LookRequest2 request_;
+  ViewRequest2 request_;
   ToneChoice tone_;
   bool has_tone_ = false;  // chosen for the first light, or by hand
   double split_ = 0.5;

@@ -27,7 +27,7 @@ void Viewer2::command(std::string_view name) {
   needs_frame_ = true;
   message_.clear();
   const std::uint64_t before = editor_.version();
-  if (!look_command(name) && !edit_command(name) && !light_command(name) && !material_command(name) &&
+  if (!view_command(name) && !edit_command(name) && !light_command(name) && !material_command(name) &&
       !file_command(name))
     throw UsageError("there is no command called '" + std::string(name) + "'");
   if (message_.empty() && !prompt_ && editor_.version() == before) message_ = why_nothing(name);
@@ -50,18 +50,18 @@ std::string Viewer2::why_nothing(std::string_view name) const {
   return editor_.selected().empty() ? "nothing is selected" : "";
 }
 
-bool Viewer2::look_command(std::string_view name) {
+bool Viewer2::view_command(std::string_view name) {
   if (name.starts_with("look ")) {
-    const auto look = look_2(name.substr(5));
-    if (!look) return false;
-    request_.look = *look;
+    const auto mode = view_mode_2(name.substr(5));
+    if (!mode) return false;
+    request_.mode = *mode;
     request_.other.reset();
     if (is_fitted_) fit();
     needs_base_ = true;
   } else if (name == "next" || name == "previous") {
     next_choice(name == "next" ? 1 : -1);
   } else if (name == "again") {
-    looks_.look_again();
+    views_.compute_again();
   } else if (name == "closed form") {
     request_.wants_closed_form = !request_.wants_closed_form;
   } else if (name == "tone") {
@@ -79,13 +79,13 @@ bool Viewer2::look_command(std::string_view name) {
   } else {
     return false;
   }
-  looks_.set_tone(tone_, texture_pixels());
+  views_.set_tone(tone_, texture_pixels());
   needs_base_ = true;
   return true;
 }
 
 void Viewer2::next_choice(int step) {
-  if (request_.look == Look2::kSweeps) {
+  if (request_.mode == ViewMode2::kSweeps) {
     request_.solver = next_of(kSolvers, request_.solver, step);
     message_ = std::string("solver ") + to_string(request_.solver);
   } else {
@@ -258,10 +258,10 @@ bool Viewer2::file_command(std::string_view name) {
       message_ = "saved " + file;
     });
   } else if (name == "copy number") {
-    const std::string number = looks_.result() ? looks_.result()->number : "";
+    const std::string number = views_.result() ? views_.result()->number : "";
     if (!number.empty()) window_.set_clipboard(number);
     message_ = number.empty() ? "there is no number to copy" : "copied " + number;
-    if (!number.empty() && looks_.is_behind()) message_ += ", before the last edit";
+    if (!number.empty() && views_.is_behind()) message_ += ", before the last edit";
   } else if (name == "reload") {
     if (editor_.history().is_changed())
       prompt_ = Prompt{.question = "unsaved changes:  r  read the file again and drop them   escape  keep them",

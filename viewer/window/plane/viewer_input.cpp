@@ -92,7 +92,7 @@ void Viewer2::wheel(const WindowEvent& event) {
   if (scrolls_.wheel(mouse_, event.wheel) || shows_help_) return;
   camera_.zoom(mouse_, size_, std::pow(kPerNotch, event.wheel));
   is_fitted_ = false;
-  looks_.set_tone(tone_, texture_pixels());
+  views_.set_tone(tone_, texture_pixels());
   needs_base_ = true;
   if (drag_ == Drag::kNone) touch();
   request_changed();
@@ -118,7 +118,7 @@ void Viewer2::press(const WindowEvent& event) {
     return;
   }
   if (tool_) return add_tool_point();
-  if (request_.look == Look2::kErrors && std::abs(mouse_.x - split_ * size_.width) < kReach * unit_) {
+  if (request_.mode == ViewMode2::kErrors && std::abs(mouse_.x - split_ * size_.width) < kReach * unit_) {
     drag_ = Drag::kBar;
     return;
   }
@@ -183,16 +183,17 @@ Face Viewer2::asked_face(const Pick2& pick) const {
 
 std::string Viewer2::asked_name(const Pick2& pick) const { return face_name(*editor_.scene(), asked_face(pick)); }
 
-// A click on an edge picks its face where faces are looked at.
+// A click on an edge picks its face if the view mode is about faces.
 void Viewer2::click() {
   if (editor_.selected_light()) return;
   const Pick2 found = editor_.pick(pointer());
   if (!found.surface) return;
   const std::string face = asked_name(found);
-  if (request_.look == Look2::kFactors || (request_.look == Look2::kPair && (!request_.face || request_.other))) {
+  if (request_.mode == ViewMode2::kFactors ||
+      (request_.mode == ViewMode2::kPair && (!request_.face || request_.other))) {
     request_.face = face;
     request_.other.reset();
-  } else if (request_.look == Look2::kPair) {
+  } else if (request_.mode == ViewMode2::kPair) {
     request_.other = face;
   }
   needs_base_ = true;

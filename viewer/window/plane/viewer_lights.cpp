@@ -39,7 +39,7 @@ void Viewer2::play() {
 void Viewer2::stop() {
   time_.reset();
   moved_.reset();
-  looks_.set_scene(editor_.scene(), LiveDepth2::kFull);
+  views_.set_scene(editor_.scene(), LiveDepth2::kFull);
   needs_frame_ = true;
   message_ = "the lights stand";
 }
@@ -47,7 +47,7 @@ void Viewer2::stop() {
 bool Viewer2::pass_time(const Rational& seconds) {
   if (!time_) return false;
   *time_ += seconds;
-  if (seconds > 0 && looks_.is_at_rest()) move_lights();
+  if (seconds > 0 && views_.is_at_rest()) move_lights();
   return true;
 }
 
@@ -68,7 +68,7 @@ void Viewer2::move_lights() {
     return;
   }
   moved_ = std::move(moved);
-  looks_.set_scene(moved_, LiveDepth2::kCoarse);
+  views_.set_scene(moved_, LiveDepth2::kCoarse);
 }
 
 void Viewer2::change_light(std::uint32_t light, std::string_view name) {
@@ -106,12 +106,12 @@ void Viewer2::draw_lights(PictureCanvas& canvas) const {
       mark.left = camera_.at(shape.left, size_);
       mark.right = camera_.at(shape.right, size_);
     }
-    LightLook look{.is_meant = editor_.selected_light() == k};
+    LightStyle style{.is_meant = editor_.selected_light() == k};
     if (drag_ == Drag::kNone && hover_light_ && hover_light_->light == k) {
-      look.is_meant = true;
-      look.touched = hover_light_->part;
+      style.is_meant = true;
+      style.touched = hover_light_->part;
     }
-    draw_light(canvas, scene.lights[k], mark, look, unit_);
+    draw_light(canvas, scene.lights[k], mark, style, unit_);
   }
 }
 

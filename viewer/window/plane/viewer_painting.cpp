@@ -30,26 +30,26 @@ constexpr std::uint32_t kBlank = 0xFFFDFCFA;       // where nothing can be drawn
 
 }  // namespace
 
-LookDrawing2 Viewer2::drawing() const {
-  const bool is_lit = !looks_.state().problem.empty() && looks_.lit();
-  return {.state = is_lit ? looks_.texture()->state.get() : &looks_.state(),
-          .request = &looks_.request(),
-          .result = looks_.result(),
+ViewDrawing2 Viewer2::drawing() const {
+  const bool is_lit = !views_.state().problem.empty() && views_.lit();
+  return {.state = is_lit ? views_.texture()->state.get() : &views_.state(),
+          .request = &views_.request(),
+          .result = views_.result(),
           .tone = tone_,
-          .texture = looks_.texture(),
+          .texture = views_.texture(),
           .split = split_};
 }
 
 // Everything but what is said about it.
 void Viewer2::draw_marks(PictureCanvas& canvas) const {
   const Frame2 frame = camera_.frame(size_);
-  const LiveState2& state = looks_.state();
+  const LiveState2& state = views_.state();
   if (!state.scene) {
     canvas.fill_rectangle(Mark::kPaper, {0, 0}, {frame.width(), frame.height()}, palette::kPaper);
     draw_edges(canvas, frame, *shown_scene(), palette::kInk, 2 * unit_);
     return;
   }
-  draw_look(canvas, frame, unit_, drawing());
+  draw_view(canvas, frame, unit_, drawing());
   if (state.problem.empty()) return;
   canvas.fill_rectangle(Mark::kPaper, {0, 0}, {frame.width(), frame.height()}, kDimmed);
   draw_edges(canvas, frame, *state.scene, palette::kInk, 2 * unit_);
@@ -76,7 +76,7 @@ void Viewer2::draw_selection(PictureCanvas& canvas) const {
     canvas.stroke(Mark::kTarget, frame.at(scene.edges[s].from), frame.at(scene.edges[s].to), colour, width * unit_);
   };
   // What was changed since the state that is shown.
-  const Scene2* shown = looks_.state().scene.get();
+  const Scene2* shown = views_.state().scene.get();
   if (shown != nullptr && shown != &scene)
     for (std::uint32_t s = 0; s < scene.edges.size(); ++s)
       if (s >= shown->edges.size() || scene.edges[s] != shown->edges[s]) stroke(s, kChanged, 2);
@@ -92,7 +92,7 @@ void Viewer2::draw_selection(PictureCanvas& canvas) const {
   };
   if (drag_ == Drag::kNone && !tool_ && hover_.vertex) ring(*hover_.vertex);
   if (editor_.selected_vertex()) ring(*editor_.selected_vertex());
-  if (request_.look == Look2::kFactors || request_.look == Look2::kPair)
+  if (request_.mode == ViewMode2::kFactors || request_.mode == ViewMode2::kPair)
     for (const auto& [name, colour] : {std::pair(request_.face, palette::kFirst), {request_.other, palette::kSecond}})
       if (const auto face = face_called(scene, name)) stroke(face->surface, colour, 4);
 }
@@ -116,7 +116,7 @@ void Viewer2::draw_tool(PictureCanvas& canvas) const {
 
 // Where the scene has no light, and what `check` says of it.
 void Viewer2::draw_problem(PictureCanvas& canvas) {
-  const LiveState2& state = looks_.state();
+  const LiveState2& state = views_.state();
   if (state.problem.empty()) return;
   const Frame2 frame = camera_.frame(size_);
   Panel panel{.lines = {"no light"}, .is_warning = true};
@@ -146,14 +146,15 @@ void Viewer2::draw_problem(PictureCanvas& canvas) {
 std::string Viewer2::file_title() const { return title_of(file_, editor_.history().is_changed()); }
 
 std::string Viewer2::head() const {
-  const LiveState2& state = looks_.state();
-  std::string text = file_title() + "   " + to_string(request_.look);
-  if (request_.look == Look2::kLight) text += fmt::format(", tone {} x {:.3g}", to_string(tone_.tone), tone_.exposure);
-  if (request_.look == Look2::kFloor) text += fmt::format(" x {:.3g}", tone_.exposure);
-  if (request_.look == Look2::kErrors) text += ": " + request_.method;
+  const LiveState2& state = views_.state();
+  std::string text = file_title() + "   " + to_string(request_.mode);
+  if (request_.mode == ViewMode2::kLight)
+    text += fmt::format(", tone {} x {:.3g}", to_string(tone_.tone), tone_.exposure);
+  if (request_.mode == ViewMode2::kFloor) text += fmt::format(" x {:.3g}", tone_.exposure);
+  if (request_.mode == ViewMode2::kErrors) text += ": " + request_.method;
   if (time_) text += fmt::format("   {:.2f} s", to_double(*time_));
   if (legend_ && legend_->is_dark()) text += "   nothing shines: the plan";
-  if (looks_.is_behind()) text += "   numbers before the last edit";
+  if (views_.is_behind()) text += "   numbers before the last edit";
   if (!state.light) return text;
   const bool is_behind = state.scene != shown_scene();
   if (state.depth == LiveDepth2::kCoarse || is_behind)
@@ -168,9 +169,9 @@ std::string Viewer2::head() const {
 // the mouse is on its way.
 std::string Viewer2::status() const {
   if (!has_mouse_) return "";
-  const LookResult2* result = looks_.result();
+  const ViewResult2* result = views_.result();
   const bool has_number = result != nullptr && !result->number.empty();
-  const bool is_of_place = has_number && shows_light_at_mouse(result->request.look) && result->request.mouse;
+  const bool is_of_place = has_number && shows_light_at_mouse(result->request.mode) && result->request.mouse;
   std::string text = place_text(is_of_place ? *result->request.mouse : exact_mouse());
   const Scene2& scene = *shown_scene();
   if (hover_light_ && hover_light_->light < scene.lights.size()) {
@@ -183,28 +184,28 @@ std::string Viewer2::status() const {
     const auto material = scene.surfaces[*hover_.surface].material_of(hover_.face.is_back);
     text += material ? " of " + scene.materials[*material].name : ", opaque and black";
   }
-  if (!has_number || result->request.other != looks_.request().other) return text;
+  if (!has_number || result->request.other != views_.request().other) return text;
   return text + (is_of_place ? "   mean irradiance " + result->number + " W/m²" : "   " + result->number);
 }
 
 // What light means, with the light under the mouse.
 void Viewer2::draw_light_legend(PictureCanvas& canvas, double bottom) const {
-  if (!legend_ || request_.look == Look2::kErrors || !looks_.state().problem.empty()) return;
-  const LookResult2* result = looks_.result();
+  if (!legend_ || request_.mode == ViewMode2::kErrors || !views_.state().problem.empty()) return;
+  const ViewResult2* result = views_.result();
   const bool is_marked = has_mouse_ && result != nullptr && !result->at_mouse.empty() && drag_ == Drag::kNone;
   legend_->draw(canvas, is_marked ? std::optional(brightness_of(result->at_mouse)) : std::nullopt, bottom, unit_);
 }
 
 void Viewer2::make_legend() {
-  const LookDrawing2 drawing = this->drawing();
+  const ViewDrawing2 drawing = this->drawing();
   const std::shared_ptr<const SolvedLight2> light = drawing.state->prepared ? shown_light_2(drawing) : nullptr;
-  if (light == legend_of_ && tone_ == legend_tone_ && request_.look != Look2::kFloor) return;
+  if (light == legend_of_ && tone_ == legend_tone_ && request_.mode != ViewMode2::kFloor) return;
   legend_of_ = light;
   legend_tone_ = tone_;
   legend_.reset();
   if (!light) return;
   const IlluminationGrid2& grid = light->grid;
-  const Tone tone = request_.look == Look2::kFloor ? Tone::kMax : tone_.tone;
+  const Tone tone = request_.mode == ViewMode2::kFloor ? Tone::kMax : tone_.tone;
   legend_tone_.tone = tone;
   legend_.emplace(ToneCurve(tone, tone_.exposure, grid.values, grid.channels), grid.values, grid.channels,
                   grid.channels == 2 ? "mean irradiance, solar [W/m²]" : "mean irradiance [W/m²]");
@@ -216,11 +217,11 @@ void Viewer2::draw_texts(PictureCanvas& canvas) {
   TextRoom room = draw_head_and_line(canvas, head(), line, scrolls_, unit_);
   draw_light_legend(canvas, room.bottom);
   const bool has_text =
-      (request_.look == Look2::kVisibility || !shows_light_at_mouse(request_.look)) && looks_.result() != nullptr;
+      (request_.mode == ViewMode2::kVisibility || !shows_light_at_mouse(request_.mode)) && views_.result() != nullptr;
   if (!has_text) return;
   const double above_legends = canvas.height() - kLegends * unit_;
   room.bottom = std::max(std::min(room.bottom, above_legends), std::min(room.bottom, room.top + kLeastText * unit_));
-  const SideText text{std::string("look ") + to_string(request_.look), looks_.result()->lines};
+  const SideText text{std::string("look ") + to_string(request_.mode), views_.result()->lines};
   draw_side_texts(canvas, {&text, 1}, kPanelWidth, room, scrolls_, unit_);
 }
 

@@ -74,7 +74,7 @@ Viewer3::Viewer3(ViewerSource3 source, Window& window, const FactorsRequest3& fa
           },
           [this](const Scene3& edited) { return why_not_stand(edited); }),
       size_(window.size()),
-      looking_([&window] { window.wake(); }),
+      computing_([&window] { window.wake(); }),
       gathered_([&window] { window.wake(); }) {
   file_.note();
   set_scene(source_.read());
@@ -96,7 +96,7 @@ void Viewer3::set_scene(Scene3 scene_read) {
   is_fitted_ = false;
   request_.face.reset();
   result_.reset();
-  looking_.cancel();
+  computing_.cancel();
   if (read->camera) {
     home_ = *read->camera;
     is_fitted_ = true;
@@ -137,17 +137,17 @@ void Viewer3::see(const EyeCamera3& camera) {
 
 bool Viewer3::update() {
   const bool has_come = live_.collect();
-  const bool has_looked = looking_.collect();
+  const bool has_result = computing_.collect();
   if (state().version && !is_fitted_) {
     home_ = default_camera_3(state().version->model().prepared);
     is_fitted_ = true;
     fit();
   }
   const bool has_gathered = gathered_.collect();
-  if (has_come || has_looked || has_gathered) needs_base_ = true;
+  if (has_come || has_result || has_gathered) needs_base_ = true;
   choose_tone();
   gather();
-  if (state().version != asked_of_) ask(request_.look == LookKind3::kSweeps);
+  if (state().version != asked_of_) ask(request_.mode == ViewMode3::kSweeps);
   watch_file();
   if (!needs_base_ && !needs_frame_) return false;
   draw();
@@ -174,8 +174,8 @@ void Viewer3::settle(double seconds) {
   Stopwatch watch;
   for (double waited = 0;; waited += watch.lap()) {
     live_.wait(seconds - waited);
-    update();  // what has come may ask for what is looked at
-    if (live_.is_at_rest() && !looking_.is_busy() && !gathered_.is_busy()) return;
+    update();  // what has come may ask for a result
+    if (live_.is_at_rest() && !computing_.is_busy() && !gathered_.is_busy()) return;
     if (waited > seconds)
       throw RequestError(fmt::format("{}: the light is not there after {} s", file_.path().string(), seconds));
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -187,7 +187,7 @@ void Viewer3::run() {
   run_viewer(*this, window_, kSecondsBetweenFileChecks);
 }
 
-void Viewer3::set_request(LookRequest3 request) {
+void Viewer3::set_request(ViewRequest3 request) {
   if (request == request_) return;
   request_ = std::move(request);
   result_.reset();
@@ -195,28 +195,28 @@ void Viewer3::set_request(LookRequest3 request) {
   ask(true);
 }
 
-// What is looked at, of the version that is shown. It stops what is on its way, or follows it: then a result of a
-// version before is shown until there is another, so that something new comes however fast versions follow.
+// Asks for the result of the view mode, from the version that is shown. It stops what runs, or follows it: then a
+// result of a version before is shown until there is another, so that something new comes however fast versions follow.
 void Viewer3::ask(bool stops) {
   asked_of_ = state().version;
   if (result_ && state().version && result_->version->scene().polygons != state().version->scene().polygons)
     result_.reset();
-  const bool is_of_face = request_.look == LookKind3::kFactors && request_.face;
+  const bool is_of_face = request_.mode == ViewMode3::kFactors && request_.face;
   const bool has_face = !is_of_face || (state().version && knows(state().version->scene(), *request_.face));
   if (!needs_work(request_) || !state().is_lit() || !has_face) {
-    looking_.cancel();
+    computing_.cancel();
     result_.reset();
     return;
   }
   Background::Work work = [this, version = state().version, request = request_](const StageProgress& progress,
                                                                                 const Background::Tell& tell) {
-    const auto apply = [this](LookResult3 result) {
-      return [this, result = std::make_shared<const LookResult3>(std::move(result))] { result_ = result; };
+    const auto apply = [this](ViewResult3 result) {
+      return [this, result = std::make_shared<const ViewResult3>(std::move(result))] { result_ = result; };
     };
     return Background::Apply(
-        apply(look_at_3(version, request, progress, [&](LookResult3 so_far) { tell(apply(std::move(so_far))); })));
+        apply(compute_view_3(version, request, progress, [&](ViewResult3 so_far) { tell(apply(std::move(so_far))); })));
   };
-  stops ? looking_.post(std::move(work)) : looking_.follow(std::move(work));
+  stops ? computing_.post(std::move(work)) : computing_.follow(std::move(work));
 }
 
 // Tells what has become of the file.
@@ -285,16 +285,16 @@ void Viewer3::save_picture(const std::filesystem::path& file) const {
   const auto format = picture_format(file.string());
   if (!format) throw UsageError("a picture ends in .png, .svg or .pdf, not '" + file.string() + "'");
   if (gathered_.done() > 0 && *format == PictureFormat::kPng) return write_output_file(file, png_file(base_));
-  const ShownLook3 look = this->look();
-  if (look.radiosities() == nullptr)
+  const ShownView3 view = this->view();
+  if (view.radiosities() == nullptr)
     throw RequestError("there is no light to draw" + (state().problem.empty() ? "" : ": " + state().problem));
-  PreparedScene3 prepared = *look.version()->of().simulation().prepared();
+  PreparedScene3 prepared = *view.version()->of().simulation().prepared();
   prepared.scene.camera = camera_.camera(size_);
   RenderOptions3 options{.tone = tone_, .exposure = exposure_};
   if (is_smooth_) options.shading = Shading::kSmooth;
-  if (look.values() != nullptr) options.shown = *look.values();
+  if (view.values() != nullptr) options.shown = *view.values();
   write_output_file(
-      file, RenderedView3(prepared, Granularity::kElement, *look.radiosities(), std::move(options)).file(*format));
+      file, RenderedView3(prepared, Granularity::kElement, *view.radiosities(), std::move(options)).file(*format));
 }
 
 std::string Viewer3::hashes() const {

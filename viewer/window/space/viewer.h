@@ -23,7 +23,7 @@
 #include "viewer/window/space/camera.h"
 #include "viewer/window/space/gathered_frame.h"
 #include "viewer/window/space/live_scene.h"
-#include "viewer/window/space/look.h"
+#include "viewer/window/space/view_mode.h"
 #include "viewer/window/space/viewer_source.h"
 #include "viewer/window/viewer.h"
 #include "viewer/window/viewer_texts.h"
@@ -75,10 +75,10 @@ class Viewer3 : public Viewer {
   // Seconds since the lights began to move; nothing while they stand.
   const std::optional<Rational>& time() const { return time_; }
   const LiveState3& state() const { return live_.state(); }
-  const LookRequest3& request() const { return request_; }
+  const ViewRequest3& request() const { return request_; }
   // What a frame shows.
-  ShownLook3 look() const { return result_ ? ShownLook3(result_) : ShownLook3(state().version); }
-  const LookResult3* result() const { return result_.get(); }
+  ShownView3 view() const { return result_ ? ShownView3(result_) : ShownView3(state().version); }
+  const ViewResult3* result() const { return result_.get(); }
   const EyeCamera3& camera() const { return camera_; }
   const Raster& frame() const { return frame_; }
   const std::string& message() const { return message_; }
@@ -127,7 +127,7 @@ class Viewer3 : public Viewer {
   void pick(const Face& face);
 
   // Commands.
-  bool look_command(std::string_view name);
+  bool view_command(std::string_view name);
   bool walk_command(std::string_view name);
   bool edit_command(std::string_view name);
   bool selection_command(std::string_view name);
@@ -169,9 +169,9 @@ class Viewer3 : public Viewer {
   // What is shown.
   void fit();
   void see(const EyeCamera3& camera);
-  void set_request(LookRequest3 request);
+  void set_request(ViewRequest3 request);
   void ask(bool stops);
-  bool is_split() const { return request_.look == LookKind3::kErrors && look().values() != nullptr; }
+  bool is_split() const { return request_.mode == ViewMode3::kErrors && view().values() != nullptr; }
   // What lies under the mouse is of it: the values, where there are some, else the light.
   const Seen* seen() const { return values_ ? &*values_ : light_ ? &*light_ : nullptr; }
   const SeenPicture3::Part* part_at(const Pixel& place) const { return seen() ? seen()->picture.at(place) : nullptr; }
@@ -210,10 +210,10 @@ class Viewer3 : public Viewer {
   EyeCamera3 camera_;
   Camera3 home_;
   bool is_fitted_ = false;  // home_ is that of the scene, or chosen for it
-  LookRequest3 request_;
-  std::shared_ptr<const LookResult3> result_;  // of its request
-  LiveVersion3::Ptr asked_of_;                 // the version that what is looked at was last asked of
-  Background looking_;
+  ViewRequest3 request_;
+  std::shared_ptr<const ViewResult3> result_;  // of its request
+  LiveVersion3::Ptr asked_of_;                 // the version of which a result was last asked for
+  Background computing_;
   Tone tone_ = kUsualTone3;
   double exposure_ = 1, split_ = 0.5;
   bool has_tone_ = false;      // chosen for the first light, or by hand

@@ -21,22 +21,22 @@ constexpr double kLookStep = 3, kOrbitStep = 5, kZoomStep = 1.1;
 void Viewer3::command(std::string_view name) {
   needs_frame_ = true;
   message_.clear();
-  if (!walk_command(name) && !look_command(name) && !edit_command(name) && !selection_command(name) &&
+  if (!walk_command(name) && !view_command(name) && !edit_command(name) && !selection_command(name) &&
       !add_command(name) && !light_command(name) && !material_command(name) && !file_command(name))
     throw UsageError("there is no command called '" + std::string(name) + "'");
   scene_changed();
   touch();
 }
 
-bool Viewer3::look_command(std::string_view name) {
-  LookRequest3 request = request_;
+bool Viewer3::view_command(std::string_view name) {
+  ViewRequest3 request = request_;
   if (name.starts_with("look ")) {
-    const auto look = look_3(name.substr(5));
-    if (!look) return false;
-    request.look = *look;
+    const auto mode = view_mode_3(name.substr(5));
+    if (!mode) return false;
+    request.mode = *mode;
   } else if (name == "next" || name == "previous") {
     const int step = name == "next" ? 1 : -1;
-    if (request.look == LookKind3::kSweeps) {
+    if (request.mode == ViewMode3::kSweeps) {
       request.solver = next_of(kSolvers, request.solver, step);
       message_ = std::string("solver ") + to_string(request.solver);
     } else {
@@ -190,7 +190,7 @@ bool Viewer3::file_command(std::string_view name) {
       message_ = "saved " + file;
     });
   } else if (name == "copy number") {
-    const std::string number = look().number(hover_);
+    const std::string number = view().number(hover_);
     if (!number.empty()) window_.set_clipboard(number);
     message_ = number.empty() ? "there is no number to copy" : "copied " + number;
   } else if (name == "reload") {

@@ -100,7 +100,7 @@ void Viewer3::click() {
     editor_.toggle(touched);
   }
   picked_ = hover_;
-  LookRequest3 request = request_;
+  ViewRequest3 request = request_;
   request.face = face && std::ranges::binary_search(editor_.selected(), face->surface) ? face : std::nullopt;
   set_request(std::move(request));
 }
@@ -108,7 +108,7 @@ void Viewer3::click() {
 // No face is asked about any more.
 void Viewer3::unpick() {
   picked_.reset();
-  LookRequest3 request = request_;
+  ViewRequest3 request = request_;
   request.face.reset();
   set_request(std::move(request));
 }
@@ -296,7 +296,7 @@ void Viewer3::keep_picked(const Scene3& before) {
   const std::string& name = before.surfaces[request_.face->surface].name;
   if (request_.face->surface < scene()->surfaces.size() && scene()->surfaces[request_.face->surface].name == name)
     return;
-  LookRequest3 request = request_;
+  ViewRequest3 request = request_;
   const std::optional<std::uint32_t> now = scene()->find(name);
   request.face = now ? std::optional(Face{*now, request_.face->is_back}) : std::nullopt;
   if (!now) picked_.reset();

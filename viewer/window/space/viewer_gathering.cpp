@@ -9,7 +9,7 @@ namespace hottel {
 void Viewer3::gather() {
   const bool rests = gathers_ && drag_ == Drag::kNone && !time_ && is_fitted_ && live_.is_at_rest() &&
                      state().is_lit() && state().problem.empty();
-  if (!rests || request_.look != LookKind3::kLight || (legend_ && legend_->is_dark())) return gathered_.wish({});
+  if (!rests || request_.mode != ViewMode3::kLight || (legend_ && legend_->is_dark())) return gathered_.wish({});
   gathered_.wish(GatheredWish{state().version, camera_.camera(size_), tone_, exposure_});
 }
 

@@ -200,7 +200,7 @@ void Viewer3::release(const WindowEvent& event) {
 
 // Picks a polygon by its first element, as it is numbered, that there is something of.
 void Viewer3::pick(const Face& face) {
-  LookRequest3 request = request_;
+  ViewRequest3 request = request_;
   request.face = face;
   picked_.reset();
   if (state().version) {

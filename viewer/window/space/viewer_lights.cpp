@@ -161,12 +161,12 @@ void Viewer3::draw_lights(PictureCanvas& canvas) const {
       for (const Direction3& corner : shape->rim)
         if (const auto at = pixel(corner)) mark.rim.push_back(*at);
     }
-    LightLook look{.is_meant = editor_.selected_light() == k, .is_pale = is_hidden(shape->place)};
+    LightStyle style{.is_meant = editor_.selected_light() == k, .is_pale = is_hidden(shape->place)};
     if (drag_ == Drag::kNone && hover_light_ && hover_light_->light == k) {
-      look.is_meant = true;
-      look.touched = hover_light_->part;
+      style.is_meant = true;
+      style.touched = hover_light_->part;
     }
-    draw_light(canvas, shown_->lights[k], mark, look, unit_);
+    draw_light(canvas, shown_->lights[k], mark, style, unit_);
   }
 }
 

@@ -47,30 +47,30 @@ const SeenPicture3& Viewer3::see(const std::shared_ptr<const LiveModel3>& model,
 void Viewer3::add_outlines(const SeenPicture3& picture) {
   if (!has_outlines_ || !state().version) return;
   const auto width = static_cast<std::uint32_t>(std::max(1.0, std::round(unit_)));
-  draw_outlines_3(base_, picture.parts(), look().version()->model().table(), width);
+  draw_outlines_3(base_, picture.parts(), view().version()->model().table(), width);
 }
 
 void Viewer3::draw_seen() {
   live_.look_from(place_of(camera_.camera(size_).eye));
-  const ShownLook3 look = this->look();
-  const auto& model = look.version()->shared_model();
-  if (look.values() != nullptr) {
-    const bool is_quantity = request_.look == LookKind3::kRadiosity || request_.look == LookKind3::kIrradiance;
-    const SeenPicture3& seen = see(model, scale_paint_3(*look.values()), is_smooth_ && is_quantity, values_);
+  const ShownView3 view = this->view();
+  const auto& model = view.version()->shared_model();
+  if (view.values() != nullptr) {
+    const bool is_quantity = request_.mode == ViewMode3::kRadiosity || request_.mode == ViewMode3::kIrradiance;
+    const SeenPicture3& seen = see(model, scale_paint_3(*view.values()), is_smooth_ && is_quantity, values_);
     base_ = seen.raster(nullptr);
     if (!is_split()) return add_outlines(seen);
   } else {
     values_.reset();
   }
   // Toned by all elements there are, whatever is seen: so light stays the same while one walks.
-  paint_ = look.light();
+  paint_ = view.light();
   const ToneCurve tone(tone_, exposure_, paint_.values, paint_.channels);
   legend_.emplace(tone, paint_.values, paint_.channels,
-                  look.version()->scene().has_bands ? "radiosity, solar [W/m²]" : "radiosity [W/m²]");
+                  view.version()->scene().has_bands ? "radiosity, solar [W/m²]" : "radiosity [W/m²]");
   const bool is_form = legend_->is_dark();
   const ToneCurve as_it_is(Tone::kLinear, 1, {}, 1);
   const SeenPicture3& seen =
-      see(model, is_form ? form_of_3(look.version()->scene(), model->table()) : paint_, is_smooth_, light_);
+      see(model, is_form ? form_of_3(view.version()->scene(), model->table()) : paint_, is_smooth_, light_);
   Raster lit = seen.raster(is_form ? &as_it_is : &tone);
   if (!is_form) gathered_.draw(tone, lit);
   if (!is_split()) {
@@ -88,7 +88,7 @@ void Viewer3::draw_base() {
   needs_base_ = false;
   needs_frame_ = true;
   try {
-    if (look().version() != nullptr && is_fitted_)
+    if (view().version() != nullptr && is_fitted_)
       draw_seen();
     else
       base_ = Raster(size_.width, size_.height, kBlank);
@@ -103,7 +103,7 @@ void Viewer3::draw_base() {
 
 // The polygon under the mouse where light is seen.
 void Viewer3::draw_touched(PictureCanvas& canvas) const {
-  if (hover_ && seen() != nullptr && look().values() == nullptr && drag_ == Drag::kNone) {
+  if (hover_ && seen() != nullptr && view().values() == nullptr && drag_ == Drag::kNone) {
     std::vector<std::vector<Pixel>> outlines;
     const std::vector<Element>& elements = seen()->model->table().elements();
     for (const SeenPicture3::Part& part : seen()->picture.parts()) {
@@ -131,11 +131,11 @@ void Viewer3::draw_problem(PictureCanvas& canvas) {
 std::string Viewer3::file_title() const { return title_of(file_, is_changed()); }
 
 std::string Viewer3::head() const {
-  std::string text = file_title() + "   " + to_string(request_.look);
-  const ShownLook3 look = this->look();
-  if (look.values() == nullptr) text += fmt::format(", tone {} x {:.3g}", to_string(tone_), exposure_);
-  if (legend_ && legend_->is_dark() && look.values() == nullptr) text += "   nothing shines: the form alone";
-  if (request_.look == LookKind3::kErrors) text += ": " + request_.method;
+  std::string text = file_title() + "   " + to_string(request_.mode);
+  const ShownView3 view = this->view();
+  if (view.values() == nullptr) text += fmt::format(", tone {} x {:.3g}", to_string(tone_), exposure_);
+  if (legend_ && legend_->is_dark() && view.values() == nullptr) text += "   nothing shines: the form alone";
+  if (request_.mode == ViewMode3::kErrors) text += ": " + request_.method;
   if (time_) text += fmt::format("   {:.2f} s", to_double(*time_));
   const LiveState3& now = state();
   if (!now.stage.empty() && now.all_rows > 0)
@@ -143,10 +143,10 @@ std::string Viewer3::head() const {
   if (!now.stage.empty()) return text + "   " + now.stage;
   if (now.is_coarse) return text + "   coarse: whole polygons, estimated";
   if (!now.is_lit() || !now.problem.empty()) return text;
-  if (look.version() != now.version.get()) text += "   before the last edit";
+  if (view.version() != now.version.get()) text += "   before the last edit";
   return text +
-         fmt::format("   {} elements, {:.0f} ms", look.version()->model().table().count(),
-                     1e3 * look.version()->seconds()) +
+         fmt::format("   {} elements, {:.0f} ms", view.version()->model().table().count(),
+                     1e3 * view.version()->seconds()) +
          gathering_text();
 }
 
@@ -157,35 +157,35 @@ std::string Viewer3::status() const {
   const Scene3& found_in = hover_->model->prepared.scene;
   std::string text = face_name(found_in, hover_->face());
   if (const auto material = hover_->element().material) text += " of " + found_in.materials[*material].name;
-  const ShownLook3 look = this->look();
-  const std::string value = look.number(hover_);
+  const ShownView3 view = this->view();
+  const std::string value = view.number(hover_);
   if (value.empty() || state().is_coarse) return text;
-  const bool is_light = look.values() == nullptr && look.name_of_number() == std::string_view("radiosity");
-  return text + "   " + look.name_of_number() + " " + value + (is_light ? " W/m²" : "");
+  const bool is_light = view.values() == nullptr && view.name_of_number() == std::string_view("radiosity");
+  return text + "   " + view.name_of_number() + " " + value + (is_light ? " W/m²" : "");
 }
 
-// What is known of what is picked and looked at.
+// What is known of what is picked, and the result of the view mode.
 std::vector<SideText> Viewer3::side_texts() const {
   std::vector<SideText> texts;
-  const ShownLook3 look = this->look();
+  const ShownView3 view = this->view();
   if (const auto light = editor_.selected_light()) texts.push_back({"light", light_lines_3(*scene(), *light)});
-  if (request_.face && look.version() && knows(look.version()->scene(), *request_.face))
+  if (request_.face && view.version() && knows(view.version()->scene(), *request_.face))
     texts.push_back(
-        {"face", face_lines_3(*look.version(), *request_.face, state().is_coarse ? std::nullopt : picked_)});
-  if (look.result()) texts.push_back({std::string("look ") + to_string(request_.look), look.result()->lines});
+        {"face", face_lines_3(*view.version(), *request_.face, state().is_coarse ? std::nullopt : picked_)});
+  if (view.result()) texts.push_back({std::string("look ") + to_string(request_.mode), view.result()->lines});
   return texts;
 }
 
 // What colours and light mean, with the value under the mouse.
 void Viewer3::draw_legends(PictureCanvas& canvas, double bottom) const {
-  const ShownLook3 look = this->look();
-  if (!look.version()) return;
+  const ShownView3 view = this->view();
+  if (!view.version()) return;
   const bool is_pointed = hover_ && drag_ == Drag::kNone;
   constexpr std::uint32_t kNone = 0xFFFFFFFFu;
-  const std::uint32_t at = is_pointed ? hover_->number_in(look.version()->model()).value_or(kNone) : kNone;
-  if (look.values() != nullptr)
-    return draw_legend_on_paper(canvas, look.values()->scale, look.values()->title,
-                                {.marked = at != kNone ? look.values()->elements[at] : std::nullopt}, bottom, unit_);
+  const std::uint32_t at = is_pointed ? hover_->number_in(view.version()->model()).value_or(kNone) : kNone;
+  if (view.values() != nullptr)
+    return draw_legend_on_paper(canvas, view.values()->scale, view.values()->title,
+                                {.marked = at != kNone ? view.values()->elements[at] : std::nullopt}, bottom, unit_);
   if (!legend_ || !state().is_lit() || !state().problem.empty()) return;
   const bool has_value = at != kNone && (at + std::size_t{1}) * paint_.channels <= paint_.values.size();
   legend_->draw(canvas, has_value ? std::optional(brightness_of(paint_.value(at))) : std::nullopt, bottom, unit_);

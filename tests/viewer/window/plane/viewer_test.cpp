@@ -61,16 +61,16 @@ class Hand {
     return names;
   }
   std::string question() const { return viewer->prompt() ? viewer->prompt()->question : ""; }
-  const LookRequest2& request() const { return viewer->looks().request(); }
+  const ViewRequest2& request() const { return viewer->views().request(); }
 
   // All that can be asked of the viewer but the frame, in which times are written.
   std::string signature() const {
     std::string text = write_scene_2_or_why() + "|" + viewer->message() + "|" + question() + "|" +
-                       (viewer->prompt() ? viewer->prompt()->text : "") + "|" + to_string(request().look) + "|" +
+                       (viewer->prompt() ? viewer->prompt()->text : "") + "|" + to_string(request().mode) + "|" +
                        request().method + "|" + std::to_string(static_cast<int>(request().solver)) +
                        std::to_string(request().wants_closed_form) + "|" +
-                       std::to_string(static_cast<int>(viewer->looks().tone().tone)) + " " +
-                       std::to_string(viewer->looks().tone().exposure) + (viewer->wants_quit() ? " quits" : "");
+                       std::to_string(static_cast<int>(viewer->views().tone().tone)) + " " +
+                       std::to_string(viewer->views().tone().exposure) + (viewer->wants_quit() ? " quits" : "");
     for (const std::string& name : selected()) text += " " + name;
     const Pixel corner = viewer->pixel_of({0, 0});
     const std::string here = folder.path().string();
@@ -140,7 +140,7 @@ TEST(Viewer2, LightsMoveWithTheirTime) {
   turning.light_places[0].rotation = 40;
   Hand hand(turning);
   const auto shows = [&hand](const Scene2& scene) {
-    return write_scene_2(*hand.viewer->looks().state().scene) == write_scene_2(scene);
+    return write_scene_2(*hand.viewer->views().state().scene) == write_scene_2(scene);
   };
   const Raster before = hand.viewer->frame();
   hand.play("key tab\npause 0.5");
@@ -154,7 +154,7 @@ TEST(Viewer2, LightsMoveWithTheirTime) {
   EXPECT_EQ(read_scene_2(saved).light_places[0].direction, turning.light_places[0].direction);
   hand.play("key tab\nwait");
   EXPECT_TRUE(shows(hand.scene()));
-  EXPECT_EQ(hand.viewer->looks().state().depth, LiveDepth2::kFull);
+  EXPECT_EQ(hand.viewer->views().state().depth, LiveDepth2::kFull);
   hand.play("key tab\npause 0.25\npress 1.5,1.5\nrelease 1.5,1.5\nwait");
   EXPECT_TRUE(shows(hand.scene())) << "a hand on a light lets all of them stand";
 }
@@ -164,7 +164,7 @@ TEST(Viewer2, LightsSpinAtOnceAndStandAgainWhereTheyWouldMeetASurface) {
   hand.play("key tab");
   EXPECT_EQ(hand.viewer->message(), "no light moves");
   hand.play("move 1.5,1.5\nkey y\npause 1");
-  EXPECT_EQ(write_scene_2(*hand.viewer->looks().state().scene), write_scene_2(scene_after(hand.scene(), 1)));
+  EXPECT_EQ(write_scene_2(*hand.viewer->views().state().scene), write_scene_2(scene_after(hand.scene(), 1)));
 
   Scene2 leaving = room_with_a_spot();
   leaving.light_places[0].path = {{{Rational(3, 2), Rational(3, 2)}, {Rational(3, 2), Rational(-1, 2)}}, 1, false};
@@ -173,15 +173,15 @@ TEST(Viewer2, LightsSpinAtOnceAndStandAgainWhereTheyWouldMeetASurface) {
   ASSERT_EQ(other.viewer->message(), "the lights move");
   other.play("pause 0.25");
   EXPECT_THAT(other.viewer->message(), StartsWith("after 0.75 s: ")) << "it lies on the wall";
-  EXPECT_EQ(write_scene_2(*other.viewer->looks().state().scene), write_scene_2(leaving));
+  EXPECT_EQ(write_scene_2(*other.viewer->views().state().scene), write_scene_2(leaving));
 }
 
 TEST(Viewer2, SaysWhereALightCannotBe) {
   Hand hand(room_with_a_spot());
   hand.play("drag 1.5,1.5 1,1.5");
-  EXPECT_THAT(hand.viewer->looks().state().problem, HasSubstr("spot"));
+  EXPECT_THAT(hand.viewer->views().state().problem, HasSubstr("spot"));
   hand.play("key ctrl+z");
-  EXPECT_EQ(hand.viewer->looks().state().problem, "");
+  EXPECT_EQ(hand.viewer->views().state().problem, "");
 }
 
 // Something is selected, under the mouse, and was changed and undone: so every command has something to do.
@@ -200,7 +200,7 @@ TEST(Viewer2, DoesEachCommandByKeyAndByNameAlike) {
     if (!command.key.empty()) {
       EXPECT_EQ(by_name.signature(), by_key.signature());
     }
-    // These show nothing that is not there: all is seen, light is looked at, and nothing runs that could begin again.
+    // These show nothing that is not there: all is seen, light is shown, and nothing runs that could begin again.
     const std::set<std::string_view> quiet{"look light", "fit", "again", "help"};
     EXPECT_EQ(by_name.signature() == before, quiet.contains(command.name));
   }
@@ -342,13 +342,13 @@ TEST(Viewer2, LightFollowsADragCoarseAndIsExactAtRest) {
   Hand hand(scene);
   hand.play("press 2.5,1\nmove 2.5,0.8");
   EXPECT_TRUE(hand.viewer->editor().is_dragging());
-  EXPECT_EQ(hand.viewer->looks().state().depth, LiveDepth2::kCoarse);
-  EXPECT_EQ(hand.viewer->looks().state().scene, hand.viewer->editor().scene());
+  EXPECT_EQ(hand.viewer->views().state().depth, LiveDepth2::kCoarse);
+  EXPECT_EQ(hand.viewer->views().state().scene, hand.viewer->editor().scene());
   EXPECT_EQ(hand.play("hash"), "factors.csv - radiosity.csv - illumination.npy -\n");
   hand.play("release 2.5,0.8");
-  EXPECT_EQ(hand.viewer->looks().state().depth, LiveDepth2::kFull);
-  EXPECT_EQ(hand.viewer->looks().state().scene, hand.viewer->editor().scene());
-  EXPECT_EQ(hand.viewer->looks().state().light->grid.grid, scene.grids.front());
+  EXPECT_EQ(hand.viewer->views().state().depth, LiveDepth2::kFull);
+  EXPECT_EQ(hand.viewer->views().state().scene, hand.viewer->editor().scene());
+  EXPECT_EQ(hand.viewer->views().state().light->grid.grid, scene.grids.front());
   EXPECT_THAT(hand.play("hash"), HasSubstr("factors.csv "));
 }
 
@@ -427,8 +427,8 @@ TEST(Viewer2, PansAndZooms) {
   EXPECT_EQ(hand.changes(), "");
 }
 
-// The place under the mouse stays there, whatever is looked at, at each scale, beside the panel of a look too.
-TEST(Viewer2, ZoomsAndPansWhatIsPointedAtInEveryLook) {
+// The place under the mouse stays there, in each view mode, at each scale, also beside a panel.
+TEST(Viewer2, ZoomsAndPansWhatIsPointedAtInEveryViewMode) {
   TemporaryFolder folder;
   std::ofstream(folder / "room.json") << write_scene_2(small_room());
   for (const double scale : {1.0, 1.5, 2.0}) {
@@ -436,10 +436,10 @@ TEST(Viewer2, ZoomsAndPansWhatIsPointedAtInEveryLook) {
     Viewer2 viewer(folder / "room.json", window, SimulationRequest2{}, scale);
     viewer.settle(Hand::kPatience);
     const auto place_at = [&] { return viewer.pixel_of({0.6, 1.3}); };
-    for (int look = 0; look < kLooks2; ++look) {
-      SCOPED_TRACE(std::to_string(scale) + " " + to_string(static_cast<Look2>(look)));
+    for (int mode = 0; mode < kViewModes2; ++mode) {
+      SCOPED_TRACE(std::to_string(scale) + " " + to_string(static_cast<ViewMode2>(mode)));
       viewer.command("fit");
-      viewer.command(std::string("look ") + to_string(static_cast<Look2>(look)));
+      viewer.command(std::string("look ") + to_string(static_cast<ViewMode2>(mode)));
       viewer.update();
       const Pixel at = place_at();
       for (const double notches : {3.0, -5.0, 0.4}) {
@@ -573,10 +573,10 @@ TEST(Viewer2, PicksPairsOfFaces) {
   ASSERT_TRUE(hand.request().face && hand.request().other);
   EXPECT_EQ(*hand.request().face, "room[0]");
   EXPECT_EQ(*hand.request().other, "table[0]");
-  ASSERT_NE(hand.viewer->looks().result(), nullptr);
-  EXPECT_NE(hand.viewer->looks().result()->number, "");
+  ASSERT_NE(hand.viewer->views().result(), nullptr);
+  EXPECT_NE(hand.viewer->views().result()->number, "");
   hand.play("key ctrl+c");
-  EXPECT_EQ(hand.window.clipboard(), hand.viewer->looks().result()->number);
+  EXPECT_EQ(hand.window.clipboard(), hand.viewer->views().result()->number);
   EXPECT_THAT(hand.viewer->message(), StartsWith("copied "));
   hand.play("click 2,2.98");
   EXPECT_FALSE(hand.request().other);
@@ -586,7 +586,7 @@ TEST(Viewer2, PicksPairsOfFaces) {
 TEST(Viewer2, CopiesTheLightUnderTheMouse) {
   Hand hand;
   hand.play("move 0.5,1.5\nkey ctrl+c");
-  const auto& light = *hand.viewer->looks().result();
+  const auto& light = *hand.viewer->views().result();
   EXPECT_EQ(hand.window.clipboard(), light.number);
   EXPECT_NE(light.number, "");
   hand.play("leave\nkey ctrl+c");
@@ -616,22 +616,22 @@ TEST(Viewer2, GoesThroughMethodsSolversAndTones) {
   hand.viewer->command("look light");
   std::set<Tone> tones;
   for (int k = 0; k < 8; ++k) {
-    tones.insert(hand.viewer->looks().tone().tone);
+    tones.insert(hand.viewer->views().tone().tone);
     hand.viewer->command("tone");
   }
   EXPECT_EQ(tones.size(), 4u);
   hand.viewer->command("brighter");
-  EXPECT_GT(hand.viewer->looks().tone().exposure, 1);
+  EXPECT_GT(hand.viewer->views().tone().exposure, 1);
   hand.viewer->command("darker");
-  EXPECT_NEAR(hand.viewer->looks().tone().exposure, 1, 1e-12);
+  EXPECT_NEAR(hand.viewer->views().tone().exposure, 1, 1e-12);
 }
 
-// While edits follow each other, what is drawn is of one version: every look, every frame.
-TEST(Viewer2, DrawsEveryLookOfEveryVersion) {
-  for (int k = 0; k < kLooks2; ++k) {
+// While edits follow each other, what is drawn is of one version: in every view mode and frame.
+TEST(Viewer2, DrawsEveryViewModeOfEveryVersion) {
+  for (int k = 0; k < kViewModes2; ++k) {
     Hand hand;
     hand.play("click 0.02,1.5\nclick 2.5,0.98 shift\nkey escape");
-    hand.viewer->command(std::string("look ") + to_string(static_cast<Look2>(k)));
+    hand.viewer->command(std::string("look ") + to_string(static_cast<ViewMode2>(k)));
     hand.viewer->handle({.kind = EventKind::kMove, .x = 300, .y = 300});
     for (int n = 0; n < 12; ++n) {
       hand.viewer->command(n % 4 == 3 ? "undo" : "lamp");
@@ -641,7 +641,7 @@ TEST(Viewer2, DrawsEveryLookOfEveryVersion) {
       }
     }
     hand.viewer->settle(Hand::kPatience);
-    EXPECT_EQ(hand.viewer->looks().state().scene, hand.viewer->editor().scene());
+    EXPECT_EQ(hand.viewer->views().state().scene, hand.viewer->editor().scene());
   }
 }
 
@@ -649,11 +649,11 @@ TEST(Viewer2, DrawsEveryLookOfEveryVersion) {
 
 TEST(Viewer2, AnInvalidSceneDimsTheLastLightAndSaysWhy) {
   Hand hand;
-  const auto lit = hand.viewer->looks().lit();
+  const auto lit = hand.viewer->views().lit();
   const Raster before = hand.viewer->frame();
   hand.play("drag 1,1 1,2");  // the screen has no length
-  EXPECT_EQ(hand.viewer->looks().lit(), lit);
-  EXPECT_THAT(hand.viewer->looks().state().problem, HasSubstr("screen"));
+  EXPECT_EQ(hand.viewer->views().lit(), lit);
+  EXPECT_THAT(hand.viewer->views().state().problem, HasSubstr("screen"));
   // The floor beside everything is the last light, paler.
   const Pixel place = hand.viewer->pixel_of({0.5, 0.5});
   const auto pixel = [&](const Raster& frame) {
@@ -667,12 +667,12 @@ TEST(Viewer2, AnInvalidSceneDimsTheLastLightAndSaysWhy) {
   }
   EXPECT_EQ(hand.play("hash"), "factors.csv - radiosity.csv - illumination.npy -\n");
   hand.play("key ctrl+z");
-  EXPECT_EQ(hand.viewer->looks().state().problem, "");
+  EXPECT_EQ(hand.viewer->views().state().problem, "");
   EXPECT_EQ(hand.changes(), "");
   hand.play("click 0.02,0.2\nkey delete");  // the room is open, and the file promised that it is closed
-  EXPECT_THAT(hand.viewer->looks().state().problem, HasSubstr("closed"));
-  EXPECT_FALSE(hand.viewer->looks().state().errors.empty());
-  for (int k = 0; k < kLooks2; ++k) hand.play(std::string("do look ") + to_string(static_cast<Look2>(k)));
+  EXPECT_THAT(hand.viewer->views().state().problem, HasSubstr("closed"));
+  EXPECT_FALSE(hand.viewer->views().state().errors.empty());
+  for (int k = 0; k < kViewModes2; ++k) hand.play(std::string("do look ") + to_string(static_cast<ViewMode2>(k)));
 }
 
 // Prompts.
@@ -958,7 +958,7 @@ TEST(Viewer2, WritesPicturesOfWhatIsSeen) {
   EXPECT_FALSE(fs::exists(hand.path("seen.gif")));
 }
 
-// The first look.
+// The first view.
 
 Scene2 room_without_light() {
   Scene2 scene = small_room();
@@ -981,13 +981,13 @@ TEST(Viewer2, ChoosesAToneForTheFirstLightAlone) {
     material.emission = Spectrum::scalar(1);
   }
   Hand even(furnace);
-  EXPECT_EQ(even.viewer->looks().tone(), (ToneChoice{Tone::kMax, 0.7}));
+  EXPECT_EQ(even.viewer->views().tone(), (ToneChoice{Tone::kMax, 0.7}));
   even.play("key t\nkey f4");
-  EXPECT_EQ(even.viewer->looks().tone(), (ToneChoice{Tone::kLog, 0.7 * 1.2}));
+  EXPECT_EQ(even.viewer->views().tone(), (ToneChoice{Tone::kLog, 0.7 * 1.2}));
   Hand hand;
-  EXPECT_EQ(hand.viewer->looks().tone(), ToneChoice());
+  EXPECT_EQ(hand.viewer->views().tone(), ToneChoice());
   hand.play("key f3\nmove 2.5,0.98\nkey f6");
-  EXPECT_EQ(hand.viewer->looks().tone(), (ToneChoice{Tone::kLog, 1 / 1.2}));
+  EXPECT_EQ(hand.viewer->views().tone(), (ToneChoice{Tone::kLog, 1 / 1.2}));
 }
 
 // Scripts.
@@ -1063,7 +1063,7 @@ TEST(Script, EveryWordDoesSomething) {
   shows("leave");
   hand.play("wait\npause 0.1");
   hand.play("  do   look    light  ");
-  EXPECT_EQ(hand.request().look, Look2::kLight);
+  EXPECT_EQ(hand.request().mode, ViewMode2::kLight);
   hand.play("save   " + hand.path("s.json").string() + "  ");
   EXPECT_TRUE(fs::exists(hand.path("s.json")));
   EXPECT_THROW(hand.play("save " + hand.path("no/such.json").string()), OutputError);
@@ -1137,7 +1137,7 @@ TEST(ViewerThread, RunsWhileEventsCome) {
 TEST(ViewerThread, PlaysAScript) {
   Hand hand;
   hand.play("drag 2.5,1 2.4,1.1 2.5,1\nkey 4\nmove 0.5,0.5\nkey 8\nkey 7\nkey 1\nmove 2,2.95\nkey ]\npause 0.2\nhash");
-  EXPECT_EQ(hand.viewer->looks().state().scene, hand.viewer->editor().scene());
+  EXPECT_EQ(hand.viewer->views().state().scene, hand.viewer->editor().scene());
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ class Hand {
     const Camera3 camera = viewer->camera().camera({400, 300});
     std::string text = write_scene_3(*viewer->scene()) + "|" + viewer->message() + "|" +
                        (viewer->prompt() ? viewer->prompt()->question + viewer->prompt()->text : "") + "|" +
-                       to_string(viewer->request().look) + "|" + viewer->request().method + "|" +
+                       to_string(viewer->request().mode) + "|" + viewer->request().method + "|" +
                        to_string(viewer->request().solver) + picked() +
                        std::to_string(static_cast<int>(viewer->tone())) + " " + std::to_string(viewer->exposure()) +
                        (viewer->is_smooth() ? "smooth" : "flat") + (viewer->wants_quit() ? " quits" : "");

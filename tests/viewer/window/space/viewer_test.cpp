@@ -92,8 +92,8 @@ TEST(Viewer3, SaysWhyACommandDoesNothing) {
 
 double apart(const Pixel& a, const Pixel& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-// (7), in every look and at each scale, of surfaces and of what is seen beside them.
-TEST(Viewer3, ZoomsAndPansWhatIsPointedAtInEveryLook) {
+// (7), in every view mode and at each scale, of surfaces and of what is seen beside them.
+TEST(Viewer3, ZoomsAndPansWhatIsPointedAtInEveryViewMode) {
   for (const double scale : {1.0, 1.5, 2.0}) {
     TemporaryFolder folder;
     std::ofstream(folder / "room.json") << kRoom;
@@ -102,13 +102,13 @@ TEST(Viewer3, ZoomsAndPansWhatIsPointedAtInEveryLook) {
                    FactorsRequest3{}, scale);
     viewer.settle(Hand::kPatience);
     play_script(parse_script("pick floor", "hand.txt"), "hand.txt", viewer, window, {.print = {}});
-    for (int look = 0; look < kLooks3; ++look)
+    for (int mode = 0; mode < kViewModes3; ++mode)
       for (const Pixel& mouse : {Pixel{250, 250}, {330, 120}, {30, 320}}) {
-        SCOPED_TRACE(std::to_string(scale) + " " + to_string(static_cast<LookKind3>(look)));
+        SCOPED_TRACE(std::to_string(scale) + " " + to_string(static_cast<ViewMode3>(mode)));
         viewer.command("fit");
-        viewer.command(std::string("look ") + to_string(static_cast<LookKind3>(look)));
-        const auto looked_at = static_cast<LookKind3>(look);
-        if (looked_at == LookKind3::kSweeps || (looked_at == LookKind3::kErrors && scale > 1))
+        viewer.command(std::string("look ") + to_string(static_cast<ViewMode3>(mode)));
+        const auto shown_mode = static_cast<ViewMode3>(mode);
+        if (shown_mode == ViewMode3::kSweeps || (shown_mode == ViewMode3::kErrors && scale > 1))
           viewer.update();  // these take seconds
         else
           viewer.settle(Hand::kPatience);
@@ -312,11 +312,11 @@ TEST(Viewer3, EmissionsAndReflectivitiesAreLive) {
 
 // The parts that are seen are kept while materials change: the frame is that of a viewer that has seen nothing before.
 TEST(Viewer3, AnEditShowsWhatAFreshViewerWouldShow) {
-  for (const std::string look : {"key 1", "key 3"}) {  // light, irradiance
+  for (const std::string key : {"key 1", "key 3"}) {  // light, irradiance
     Hand hand;
-    hand.play(look + "\nmaterial lamp emission 9 1 4\nmaterial white reflectivity 0.7");
+    hand.play(key + "\nmaterial lamp emission 9 1 4\nmaterial white reflectivity 0.7");
     Hand fresh(write_scene_3(*hand.viewer->scene()));
-    fresh.play(look);
+    fresh.play(key);
     for (std::size_t y = 100; y < 220; ++y)  // between the texts, in which times are written
       for (std::size_t x = 0; x < 400; ++x)
         ASSERT_EQ(hand.viewer->frame().pixels[y * 400 + x], fresh.viewer->frame().pixels[y * 400 + x]) << x << " " << y;
@@ -417,7 +417,7 @@ TEST(Viewer3, TellsThatTheFileIsGoneAndReadsItWhenItIsBack) {
   EXPECT_EQ(write_scene_3(*hand.viewer->scene()), write_scene_3(parse_scene_3(kRoom, "room")));
 }
 
-// The first look.
+// The first view.
 
 std::string room_with(const std::string& lamp) {
   std::string text = kRoom;

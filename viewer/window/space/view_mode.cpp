@@ -1,4 +1,4 @@
-#include "viewer/window/space/look.h"
+#include "viewer/window/space/view_mode.h"
 
 #include <fmt/format.h>
 
@@ -22,9 +22,9 @@
 namespace hottel {
 namespace {
 
-// In the order of LookKind3.
-constexpr std::array<const char*, kLooks3> kWords{"light",  "radiosity", "irradiance", "factors",
-                                                  "errors", "plan",      "sweeps"};
+// In the order of ViewMode3.
+constexpr std::array<const char*, kViewModes3> kWords{"light",  "radiosity", "irradiance", "factors",
+                                                      "errors", "plan",      "sweeps"};
 
 constexpr auto kBetweenSweeps = std::chrono::milliseconds(100);
 constexpr double kDecades = 1e-4;  // least over largest factor of the scale
@@ -36,7 +36,7 @@ const char* guarantee_word(Guarantee guarantee) {
   return guarantee == Guarantee::kExact ? "exact" : guarantee == Guarantee::kEnclosed ? "enclosed" : "estimated";
 }
 
-void add_quantity(Quantity quantity, LookResult3& result) {
+void add_quantity(Quantity quantity, ViewResult3& result) {
   const LiveVersion3& of = *result.version;
   result.shown = shown_values({.quantity = quantity}, of.scene(), of.factors()->matrix, *of.radiosities());
 }
@@ -65,7 +65,7 @@ ShownValues values_by_face(const ExchangeMatrix& elements, const ExchangeMatrix&
   return shown;
 }
 
-void add_factors(const LookRequest3& request, const StageProgress& progress, LookResult3& result) {
+void add_factors(const ViewRequest3& request, const StageProgress& progress, ViewResult3& result) {
   if (!request.face) {
     result.lines = {"click a polygon"};
     return;
@@ -91,7 +91,7 @@ void add_factors(const LookRequest3& request, const StageProgress& progress, Loo
   result.shown = values_by_face(of.factors()->matrix, matrix, *from, name);
 }
 
-void add_errors(const LookRequest3& request, const StageProgress& progress, LookResult3& result) {
+void add_errors(const ViewRequest3& request, const StageProgress& progress, ViewResult3& result) {
   const MethodComparison3 comparison(result.version->of().simulation(), progress);
   progress("comparison", 0.5);
   const MethodResult found = comparison.run(*methods_3().make(request.method), 1);
@@ -106,8 +106,8 @@ void add_errors(const LookRequest3& request, const StageProgress& progress, Look
 }
 
 // One solver after 0, 1, 2, ... sweeps: each a simulation of its own that shares the factors.
-void add_sweeps(const LookRequest3& request, const StageProgress& progress,
-                const std::function<void(LookResult3)>& tell, LookResult3& result) {
+void add_sweeps(const ViewRequest3& request, const StageProgress& progress,
+                const std::function<void(ViewResult3)>& tell, ViewResult3& result) {
   const Simulation3& simulation = result.version->of().simulation();
   for (int k = 0; k <= kMostSweeps3; ++k) {
     SimulationRequest3 asked = simulation.request();
@@ -131,41 +131,41 @@ void add_sweeps(const LookRequest3& request, const StageProgress& progress,
 
 }  // namespace
 
-const char* to_string(LookKind3 look) { return kWords[static_cast<std::size_t>(look)]; }
+const char* to_string(ViewMode3 mode) { return kWords[static_cast<std::size_t>(mode)]; }
 
-std::optional<LookKind3> look_3(std::string_view word) {
+std::optional<ViewMode3> view_mode_3(std::string_view word) {
   for (std::size_t k = 0; k < kWords.size(); ++k)
-    if (word == kWords[k]) return static_cast<LookKind3>(k);
+    if (word == kWords[k]) return static_cast<ViewMode3>(k);
   return std::nullopt;
 }
 
-bool needs_work(const LookRequest3& request) { return request.look != LookKind3::kLight; }
+bool needs_work(const ViewRequest3& request) { return request.mode != ViewMode3::kLight; }
 
-LookResult3 look_at_3(const LiveVersion3::Ptr& version, const LookRequest3& request, const StageProgress& progress,
-                      const std::function<void(LookResult3)>& tell) {
+ViewResult3 compute_view_3(const LiveVersion3::Ptr& version, const ViewRequest3& request, const StageProgress& progress,
+                           const std::function<void(ViewResult3)>& tell) {
   HOTTEL_REQUIRE(version && version->is_lit());
-  LookResult3 result{.version = version};
+  ViewResult3 result{.version = version};
   try {
-    switch (request.look) {
-      case LookKind3::kLight:
+    switch (request.mode) {
+      case ViewMode3::kLight:
         break;
-      case LookKind3::kRadiosity:
+      case ViewMode3::kRadiosity:
         add_quantity(Quantity::kRadiosity, result);
         break;
-      case LookKind3::kIrradiance:
+      case ViewMode3::kIrradiance:
         add_quantity(Quantity::kIrradiance, result);
         break;
-      case LookKind3::kFactors:
+      case ViewMode3::kFactors:
         add_factors(request, progress, result);
         break;
-      case LookKind3::kErrors:
+      case ViewMode3::kErrors:
         add_errors(request, progress, result);
         break;
-      case LookKind3::kPlan:
+      case ViewMode3::kPlan:
         for (const std::string& line : lines_of(plan_text(*version->of().simulation().plan(progress))))
           result.lines.push_back(with_tabs(line));
         break;
-      case LookKind3::kSweeps:
+      case ViewMode3::kSweeps:
         add_sweeps(request, progress, tell, result);
         break;
     }
@@ -175,17 +175,17 @@ LookResult3 look_at_3(const LiveVersion3::Ptr& version, const LookRequest3& requ
   return result;
 }
 
-ElementPaint3 ShownLook3::light() const {
+ElementPaint3 ShownView3::light() const {
   HOTTEL_REQUIRE(version_ != nullptr);
   return result_ && result_->radiosities ? light_paint_3(version_->scene(), *result_->radiosities) : version_->light();
 }
 
-const RadiositySolution* ShownLook3::radiosities() const {
+const RadiositySolution* ShownView3::radiosities() const {
   if (result_ && result_->radiosities) return result_->radiosities.get();
   return version_ && version_->is_lit() ? version_->radiosities().get() : nullptr;
 }
 
-std::string ShownLook3::number(const std::optional<LiveElement3>& element) const {
+std::string ShownView3::number(const std::optional<LiveElement3>& element) const {
   const std::optional<std::uint32_t> at = element && version_ ? element->number_in(version_->model()) : std::nullopt;
   if (at && values() != nullptr) {
     const std::optional<double>& value = values()->elements[*at];
@@ -198,7 +198,7 @@ std::string ShownLook3::number(const std::optional<LiveElement3>& element) const
   return text;
 }
 
-const char* ShownLook3::name_of_number() const {
+const char* ShownView3::name_of_number() const {
   if (values() != nullptr) return values()->name.c_str();
   return result_ && result_->radiosities ? "residual" : "radiosity";
 }

@@ -1,4 +1,4 @@
-// What a window can show of a scene beside its shape, and what has to be computed for it.
+// View modes of a window in the plane: what it can show of a scene beside its shape, and the computation of that.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace hottel {
 
-enum class Look2 : unsigned char {
+enum class ViewMode2 : unsigned char {
   kLight,       // the light in the rooms, through a tone curve
   kFloor,       // the colour of the floor times the light, cell by cell
   kBands,       // the radiosity of each element, as a band along its edge
@@ -31,16 +31,16 @@ enum class Look2 : unsigned char {
   kPlan,        // which effects are simulated, and why
   kSweeps,      // an iterative solver, sweep by sweep
 };
-inline constexpr int kLooks2 = 10;
+inline constexpr int kViewModes2 = 10;
 
 // The word for it, as scripts have it: "light", "floor", "bands", "visibility", "factors", "pair", "errors", "check",
 // "plan", "sweeps"; and back, nothing for other words.
-const char* to_string(Look2 look);
-std::optional<Look2> look_2(std::string_view word);
+const char* to_string(ViewMode2 mode);
+std::optional<ViewMode2> view_mode_2(std::string_view word);
 
-// What is looked at.
-struct LookRequest2 {
-  Look2 look = Look2::kLight;
+// What is to be shown.
+struct ViewRequest2 {
+  ViewMode2 mode = ViewMode2::kLight;
   std::optional<Point2> mouse = {};  // where it is, for kVisibility, and for the value of kLight
   // By name (face_name), so that they are the same faces in every version, however it counts its surfaces.
   std::optional<std::string> face = {};   // picked
@@ -48,7 +48,7 @@ struct LookRequest2 {
   std::string method = "rays:1000";       // of kErrors
   Solver solver = Solver::kGaussSeidel;   // of kSweeps
   bool wants_closed_form = false;         // of kVisibility, kFactors and kPair
-  friend bool operator==(const LookRequest2&, const LookRequest2&) = default;
+  friend bool operator==(const ViewRequest2&, const ViewRequest2&) = default;
 };
 
 // The face of that name; nothing where the scene has none, or none is asked for. COST: linear.
@@ -61,10 +61,10 @@ struct FindingPlace2 {
   std::size_t number = 0;
 };
 
-// What was computed for a look. What a look does not need is empty.
-struct LookResult2 {
+// What was computed for a view mode. Members that the mode does not need are empty.
+struct ViewResult2 {
   std::uint64_t version = 0;  // of the state it is of
-  LookRequest2 request;
+  ViewRequest2 request;
   std::vector<std::string> lines{};  // of text, for a panel
   std::string number{};              // what to copy: with all digits
   std::vector<double> at_mouse{};    // light there, by channel: mean irradiance
@@ -77,20 +77,20 @@ struct LookResult2 {
   bool is_done = true;                          // false: more is coming
 };
 
-// Whether a look shows the light at the mouse.
-bool shows_light_at_mouse(Look2 look);
+// True iff a view mode shows the light at the mouse.
+bool shows_light_at_mouse(ViewMode2 mode);
 
-// Whether a look needs more than the state: whether look_at() has anything to do.
-bool needs_work(const LookRequest2& request);
+// True iff a request needs more than the state has, so that compute_view() has anything to do.
+bool needs_work(const ViewRequest2& request);
 
-// Computes what a look needs, of a state. tell: is called with what there is so far, where a look goes on for long.
-// What cannot be had is told in the lines; throws Interrupted where it is stopped, and what progress throws.
+// Computes from a state what a request needs. tell: called with intermediate results if the computation takes long.
+// If something cannot be computed, `lines` say why; throws Interrupted if it is stopped, and what progress throws.
 //
 //   (1) kSweeps: after k sweeps, k = 0, 1, ..., kMostSweeps, the light is that of `solve --solver S --iterations k` on
-//       the grid of a coarse state. Each is told, no faster than ten a second
-//   (2) kErrors: as `compare` has it; the seconds of the exact factors are those of one run
-LookResult2 look_at(const LiveState2& state, const LookRequest2& request, const StageProgress& progress,
-                    const std::function<void(LookResult2)>& tell = {});
+//       the grid of a coarse state. tell gets each of them, at most ten a second
+//   (2) kErrors: as `compare` computes it; the seconds of the exact factors are those of one run
+ViewResult2 compute_view(const LiveState2& state, const ViewRequest2& request, const StageProgress& progress,
+                         const std::function<void(ViewResult2)>& tell = {});
 inline constexpr int kMostSweeps = 50;
 
 }  // namespace hottel

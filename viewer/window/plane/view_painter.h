@@ -1,4 +1,4 @@
-// How what is looked at is drawn.
+// Draws what a view mode shows.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include "viewer/picture/picture_options.h"
 #include "viewer/picture/plane/frame.h"
 #include "viewer/picture/tone_curve.h"
-#include "viewer/window/plane/look.h"
+#include "viewer/window/plane/view_mode.h"
 
 namespace hottel {
 
@@ -28,17 +28,18 @@ struct LightTexture2 {
   Raster raster;
 };
 
-// Everything that a drawing of a look depends on.
-struct LookDrawing2 {
+// Everything that the drawing of a view mode depends on.
+struct ViewDrawing2 {
   const LiveState2* state;
-  const LookRequest2* request;
-  const LookResult2* result = nullptr;  // null: there is none yet
+  const ViewRequest2* request;
+  const ViewResult2* result = nullptr;  // null: there is none yet
   ToneChoice tone{};
   const LightTexture2* texture = nullptr;  // not made anew where it is of this state and this tone
   double split = 0.5;                      // of kErrors: where the bar is, a fraction of the width
 };
 
-// Draws a look over the whole canvas, without any text about it: paper, light, solids, edges; legends at the bottom.
+// Draws a view mode on the whole canvas, without the texts beside it: paper, light, solids, edges; legends at the
+// bottom.
 //
 //   (1) the marks are those of the pictures of viewer/picture/plane in the same frame
 //   (2) without a prepared scene only its edges are drawn; without light, the plan
@@ -47,10 +48,10 @@ struct LookDrawing2 {
 //   (5) kFloor: each cell a rectangle of one colour, floor colour times light, so that the brightest is the floor's own
 //       colour at exposure 1
 // REQUIRES a state with a scene; frame and canvas of one size. unit: as SceneSheet2 takes it.
-void draw_look(PictureCanvas& canvas, const Frame2& frame, double unit, const LookDrawing2& drawing);
+void draw_view(PictureCanvas& canvas, const Frame2& frame, double unit, const ViewDrawing2& drawing);
 
-// The light that draw_look shows; null where the look shows another thing.
-std::shared_ptr<const SolvedLight2> shown_light_2(const LookDrawing2& drawing);
+// The light that draw_view shows; null if the view mode shows no light.
+std::shared_ptr<const SolvedLight2> shown_light_2(const ViewDrawing2& drawing);
 
 // Whether any light is not 0.
 bool shines(const IlluminationGrid2& light);

@@ -1,4 +1,4 @@
-#include "viewer/window/plane/look.h"
+#include "viewer/window/plane/view_mode.h"
 
 #include <fmt/format.h>
 
@@ -30,8 +30,8 @@
 namespace hottel {
 namespace {
 
-constexpr std::array<const char*, kLooks2> kWords{"light", "floor",  "bands", "visibility", "factors",
-                                                  "pair",  "errors", "check", "plan",       "sweeps"};
+constexpr std::array<const char*, kViewModes2> kWords{"light", "floor",  "bands", "visibility", "factors",
+                                                      "pair",  "errors", "check", "plan",       "sweeps"};
 constexpr auto kBetweenSweeps = std::chrono::milliseconds(100);
 
 std::string text_of(const Point2& p) { return fmt::format("({}, {})", decimal_text(p.x), decimal_text(p.y)); }
@@ -45,11 +45,11 @@ std::string text_of(const PointLight2& light) {
 }
 
 // The light at the mouse, and where the drawing is wanted what the mouse sees.
-void add_sight(const LiveState2& state, LookResult2& result, const StageProgress& progress) {
+void add_sight(const LiveState2& state, ViewResult2& result, const StageProgress& progress) {
   if (!result.request.mouse || !state.prepared) return;
   const Point2& eye = *result.request.mouse;
   const PointView2 sight = point_view(*state.prepared, eye);
-  if (result.request.look == Look2::kVisibility) {
+  if (result.request.mode == ViewMode2::kVisibility) {
     result.sight = drawing_of(sight.polygon);
     result.lines = {"from " + text_of(eye)};
     if (sight.polygon.area)
@@ -64,7 +64,7 @@ void add_sight(const LiveState2& state, LookResult2& result, const StageProgress
   const PointLight2 light = light_at(*state.simulation, sight.polygon, progress);
   result.number = text_of(light);
   if (!result.number.empty()) result.at_mouse = light.mean_irradiance;
-  if (result.request.look == Look2::kVisibility && !result.number.empty())
+  if (result.request.mode == ViewMode2::kVisibility && !result.number.empty())
     result.lines.insert(result.lines.begin() + 1, "mean irradiance " + result.number);
 }
 
@@ -76,10 +76,10 @@ std::string without_form(const std::string& line) {
              : line;
 }
 
-void add_pair(const LiveState2& state, LookResult2& result) {
-  const LookRequest2& request = result.request;
+void add_pair(const LiveState2& state, ViewResult2& result) {
+  const ViewRequest2& request = result.request;
   if (!request.face) {
-    result.lines = {request.look == Look2::kPair ? "click a face, then another" : "click a face"};
+    result.lines = {request.mode == ViewMode2::kPair ? "click a face, then another" : "click a face"};
     return;
   }
   if (!state.prepared) return;
@@ -88,7 +88,7 @@ void add_pair(const LiveState2& state, LookResult2& result) {
   if (!face) return;
   if (!other) {
     result.lines = {"from " + *request.face,
-                    request.look == Look2::kPair ? "click another face" : "the factor to the face under the mouse"};
+                    request.mode == ViewMode2::kPair ? "click another face" : "the factor to the face under the mouse"};
     return;
   }
   PairSight2 sight{.from = *request.face,
@@ -98,12 +98,12 @@ void add_pair(const LiveState2& state, LookResult2& result) {
                    .pair = exact_pair(*state.prepared, face, other),
                    .critical = {},
                    .unit = scene.unit};
-  if (request.look == Look2::kPair) {
+  if (request.mode == ViewMode2::kPair) {
     sight.critical = critical_points(*state.prepared, *face, other);
     result.pair = drawing_of(sight);
   }
   for (const std::string& line : lines_of(pair_answer(sight).text)) {
-    if (request.look != Look2::kPair && line.starts_with("critical")) break;
+    if (request.mode != ViewMode2::kPair && line.starts_with("critical")) break;
     result.lines.push_back(with_tabs(request.wants_closed_form ? line : without_form(line)));
   }
   if (const RootSum& area = sight.pair.area_from; !area.is_zero())
@@ -117,7 +117,7 @@ double seconds_of(const ComputedFactors2& factors) {
   return sum;
 }
 
-void add_errors(const LiveState2& state, LookResult2& result, const StageProgress& progress) {
+void add_errors(const LiveState2& state, ViewResult2& result, const StageProgress& progress) {
   if (!state.simulation || !state.factors) return;
   const MethodComparison2 comparison(*state.simulation, progress);
   progress("comparison", 0.5);
@@ -135,7 +135,7 @@ void add_errors(const LiveState2& state, LookResult2& result, const StageProgres
   result.number = shortest(found.errors.max);
 }
 
-void add_check(const LiveState2& state, LookResult2& result, const StageProgress& progress) {
+void add_check(const LiveState2& state, ViewResult2& result, const StageProgress& progress) {
   if (!state.simulation) return;
   const auto check = state.simulation->check(progress);
   for (std::size_t k = 0; k < check->findings.size(); ++k) {
@@ -149,8 +149,8 @@ void add_check(const LiveState2& state, LookResult2& result, const StageProgress
 }
 
 // One solver after 0, 1, 2, ... sweeps: each a simulation of its own that shares the factors, and what the cells see.
-void add_sweeps(const LiveState2& state, LookResult2& result, const StageProgress& progress,
-                const std::function<void(LookResult2)>& tell) {
+void add_sweeps(const LiveState2& state, ViewResult2& result, const StageProgress& progress,
+                const std::function<void(ViewResult2)>& tell) {
   if (!state.simulation || !state.factors) return;
   SimulationRequest2 request = state.simulation->request();
   request.solver = result.request.solver;
@@ -182,16 +182,17 @@ void add_sweeps(const LiveState2& state, LookResult2& result, const StageProgres
 
 }  // namespace
 
-const char* to_string(Look2 look) { return kWords[static_cast<std::size_t>(look)]; }
+const char* to_string(ViewMode2 mode) { return kWords[static_cast<std::size_t>(mode)]; }
 
-std::optional<Look2> look_2(std::string_view word) {
+std::optional<ViewMode2> view_mode_2(std::string_view word) {
   for (std::size_t k = 0; k < kWords.size(); ++k)
-    if (word == kWords[k]) return static_cast<Look2>(k);
+    if (word == kWords[k]) return static_cast<ViewMode2>(k);
   return std::nullopt;
 }
 
-bool shows_light_at_mouse(Look2 look) {
-  return look == Look2::kLight || look == Look2::kFloor || look == Look2::kBands || look == Look2::kVisibility;
+bool shows_light_at_mouse(ViewMode2 mode) {
+  return mode == ViewMode2::kLight || mode == ViewMode2::kFloor || mode == ViewMode2::kBands ||
+         mode == ViewMode2::kVisibility;
 }
 
 std::optional<Face> face_called(const Scene2& scene, const std::optional<std::string>& name) {
@@ -202,35 +203,35 @@ std::optional<Face> face_called(const Scene2& scene, const std::optional<std::st
   return std::nullopt;
 }
 
-bool needs_work(const LookRequest2& request) { return !shows_light_at_mouse(request.look) || request.mouse; }
+bool needs_work(const ViewRequest2& request) { return !shows_light_at_mouse(request.mode) || request.mouse; }
 
-LookResult2 look_at(const LiveState2& state, const LookRequest2& request, const StageProgress& progress,
-                    const std::function<void(LookResult2)>& tell) {
-  LookResult2 result{.version = state.version, .request = request};
+ViewResult2 compute_view(const LiveState2& state, const ViewRequest2& request, const StageProgress& progress,
+                         const std::function<void(ViewResult2)>& tell) {
+  ViewResult2 result{.version = state.version, .request = request};
   try {
-    switch (request.look) {
-      case Look2::kLight:
-      case Look2::kFloor:
-      case Look2::kBands:
-      case Look2::kVisibility:
+    switch (request.mode) {
+      case ViewMode2::kLight:
+      case ViewMode2::kFloor:
+      case ViewMode2::kBands:
+      case ViewMode2::kVisibility:
         add_sight(state, result, progress);
         break;
-      case Look2::kFactors:
-      case Look2::kPair:
+      case ViewMode2::kFactors:
+      case ViewMode2::kPair:
         add_pair(state, result);
         break;
-      case Look2::kErrors:
+      case ViewMode2::kErrors:
         add_errors(state, result, progress);
         break;
-      case Look2::kCheck:
+      case ViewMode2::kCheck:
         add_check(state, result, progress);
         break;
-      case Look2::kPlan:
+      case ViewMode2::kPlan:
         if (!state.simulation) break;
         for (const std::string& line : lines_of(plan_text(*state.simulation->plan(progress))))
           result.lines.push_back(with_tabs(line));
         break;
-      case Look2::kSweeps:
+      case ViewMode2::kSweeps:
         add_sweeps(state, result, progress, tell);
         break;
     }

@@ -1,4 +1,4 @@
-#include "viewer/window/plane/look_painter.h"
+#include "viewer/window/plane/view_painter.h"
 
 #include <fmt/format.h>
 
@@ -58,12 +58,12 @@ void draw_texture(PictureCanvas& canvas, const Frame2& frame, const Grid2& grid,
                texture, smooth);
 }
 
-void draw_light(PictureCanvas& canvas, const Frame2& frame, double unit, const LookDrawing2& drawing,
+void draw_light(PictureCanvas& canvas, const Frame2& frame, double unit, const ViewDrawing2& drawing,
                 const SolvedLight2& light) {
   const LiveState2& state = *drawing.state;
   canvas.fill_rectangle(Mark::kPaper, {0, 0}, {frame.width(), frame.height()}, kOutside);
   ToneChoice tone = drawing.tone;
-  const bool is_floor = drawing.request->look == Look2::kFloor;
+  const bool is_floor = drawing.request->mode == ViewMode2::kFloor;
   if (is_floor) {
     tone.tone = Tone::kMax;
     draw_texture(canvas, frame, light.grid.grid, floor_texture(light.grid, *state.prepared, tone.exposure), false);
@@ -77,7 +77,7 @@ void draw_light(PictureCanvas& canvas, const Frame2& frame, double unit, const L
 }
 
 // What was computed of this very state; that of another version fits neither its edges nor its surfaces.
-const LookResult2* result_of(const LookDrawing2& drawing) {
+const ViewResult2* result_of(const ViewDrawing2& drawing) {
   return drawing.result && drawing.result->version == drawing.state->version ? drawing.result : nullptr;
 }
 
@@ -148,10 +148,10 @@ void draw_split_legend(PictureCanvas& canvas, const Frame2& frame, double unit, 
 }
 
 // Light at the left of the bar, errors at its right.
-void draw_split(PictureCanvas& canvas, const Frame2& frame, double unit, const LookDrawing2& drawing) {
+void draw_split(PictureCanvas& canvas, const Frame2& frame, double unit, const ViewDrawing2& drawing) {
   draw_light(canvas, frame, unit, drawing, *drawing.state->light);
   const double x = std::clamp(drawing.split, 0.0, 1.0) * frame.width();
-  const LookResult2* result = result_of(drawing);
+  const ViewResult2* result = result_of(drawing);
   if (!result || !result->plan) return;
   // The errors go onto a raster of their own: the plan clips by itself.
   Raster errors(static_cast<std::uint32_t>(frame.width()), static_cast<std::uint32_t>(frame.height()));
@@ -178,9 +178,9 @@ Colour colour_of(Severity severity) {
                                           : palette::kFirst;
 }
 
-void draw_findings(PictureCanvas& canvas, const Frame2& frame, double unit, const LookDrawing2& drawing) {
+void draw_findings(PictureCanvas& canvas, const Frame2& frame, double unit, const ViewDrawing2& drawing) {
   draw_plan(canvas, frame, unit, *drawing.state, {});
-  const LookResult2* result = result_of(drawing);
+  const ViewResult2* result = result_of(drawing);
   if (!result) return;
   for (const FindingPlace2& finding : result->findings) {
     const Pixel at = frame.at(finding.at);
@@ -192,12 +192,12 @@ void draw_findings(PictureCanvas& canvas, const Frame2& frame, double unit, cons
 
 }  // namespace
 
-std::shared_ptr<const SolvedLight2> shown_light_2(const LookDrawing2& drawing) {
-  const Look2 look = drawing.request->look;
-  const LookResult2* result = result_of(drawing);
-  if (look == Look2::kSweeps && result && result->light) return result->light;
-  const bool is_lit =
-      look == Look2::kLight || look == Look2::kFloor || look == Look2::kErrors || look == Look2::kSweeps;
+std::shared_ptr<const SolvedLight2> shown_light_2(const ViewDrawing2& drawing) {
+  const ViewMode2 mode = drawing.request->mode;
+  const ViewResult2* result = result_of(drawing);
+  if (mode == ViewMode2::kSweeps && result && result->light) return result->light;
+  const bool is_lit = mode == ViewMode2::kLight || mode == ViewMode2::kFloor || mode == ViewMode2::kErrors ||
+                      mode == ViewMode2::kSweeps;
   return is_lit ? drawing.state->light : nullptr;
 }
 
@@ -219,10 +219,10 @@ void draw_edges(PictureCanvas& canvas, const Frame2& frame, const Scene2& scene,
     canvas.stroke(Mark::kEdge, frame.at(edge.from), frame.at(edge.to), colour, line_width);
 }
 
-void draw_look(PictureCanvas& canvas, const Frame2& frame, double unit, const LookDrawing2& drawing) {
+void draw_view(PictureCanvas& canvas, const Frame2& frame, double unit, const ViewDrawing2& drawing) {
   const LiveState2& state = *drawing.state;
-  const LookRequest2& request = *drawing.request;
-  const LookResult2* result = result_of(drawing);
+  const ViewRequest2& request = *drawing.request;
+  const ViewResult2* result = result_of(drawing);
   if (!state.prepared) {
     canvas.fill_rectangle(Mark::kPaper, {0, 0}, {frame.width(), frame.height()}, palette::kPaper);
     draw_edges(canvas, frame, *state.scene, palette::kInk, 2 * unit);
@@ -230,17 +230,19 @@ void draw_look(PictureCanvas& canvas, const Frame2& frame, double unit, const Lo
   }
   const auto sheet = [&] { return SceneSheet2(*state.prepared, frame, unit, kFooter); };
   if (const std::shared_ptr<const SolvedLight2> light = shown_light_2(drawing)) {
-    if (request.look == Look2::kErrors) return draw_split(canvas, frame, unit, drawing);
+    if (request.mode == ViewMode2::kErrors) return draw_split(canvas, frame, unit, drawing);
     if (shines(light->grid)) return draw_light(canvas, frame, unit, drawing, *light);
   }
-  if (request.look == Look2::kBands && state.radiosities) return draw_plan(canvas, frame, unit, state, bands_of(state));
-  if (request.look == Look2::kVisibility && result && result->sight)
+  if (request.mode == ViewMode2::kBands && state.radiosities)
+    return draw_plan(canvas, frame, unit, state, bands_of(state));
+  if (request.mode == ViewMode2::kVisibility && result && result->sight)
     return VisibilityPainter2(*result->sight, sheet()).draw(canvas);
   if (const auto face = face_called(state.prepared->scene, request.face);
-      face && request.look == Look2::kFactors && state.factors)
+      face && request.mode == ViewMode2::kFactors && state.factors)
     return draw_plan(canvas, frame, unit, state, factors_of(state, *face));
-  if (request.look == Look2::kPair && result && result->pair) return PairPainter2(*result->pair, sheet()).draw(canvas);
-  if (request.look == Look2::kCheck) return draw_findings(canvas, frame, unit, drawing);
+  if (request.mode == ViewMode2::kPair && result && result->pair)
+    return PairPainter2(*result->pair, sheet()).draw(canvas);
+  if (request.mode == ViewMode2::kCheck) return draw_findings(canvas, frame, unit, drawing);
   draw_plan(canvas, frame, unit, state, {});
 }
 

@@ -1,4 +1,4 @@
-// What is shown of a scene while it is edited: its light, and what is looked at, made in the background.
+// What is shown of a scene while it is edited: its light, and the result for the view mode, computed in the background.
 #pragma once
 
 #include <cstdint>
@@ -9,26 +9,26 @@
 #include "viewer/picture/raster.h"
 #include "viewer/window/background.h"
 #include "viewer/window/plane/live_scene.h"
-#include "viewer/window/plane/look.h"
-#include "viewer/window/plane/look_painter.h"
+#include "viewer/window/plane/view_mode.h"
+#include "viewer/window/plane/view_painter.h"
 
 namespace hottel {
 
-// Keeps what is to be drawn up to date. All functions are for one thread, that of the window; what they ask for is made
-// on others, and is there after a later collect().
+// Keeps up to date what is to be drawn. All functions are for the thread of the window; results are computed on other
+// threads, and are there after a later collect().
 //
-//   (1) at rest, all that can be asked of it is of the last scene and the last request
+//   (1) at rest, all that it returns belongs to the last scene and the last request
 //   (2) texture() is that of lit() and tone; a few pixels a cell at first, finer ones follow at rest
-class SceneLooks2 {
+class SceneViews2 {
  public:
   // changed: called on other threads when there is something to collect; must be quick.
-  SceneLooks2(SimulationRequest2 request, const std::function<void()>& changed);
+  SceneViews2(SimulationRequest2 request, const std::function<void()>& changed);
 
   void set_scene(std::shared_ptr<const Scene2> scene, LiveDepth2 depth);
-  void set_request(const LookRequest2& request);
+  void set_request(const ViewRequest2& request);
   // pixels_per_cell: how fine the texture should be at rest.
   void set_tone(const ToneChoice& tone, std::uint32_t pixels_per_cell);
-  void look_again();  // begins anew what is looked at
+  void compute_again();  // the result for the view mode, from the start
 
   // Takes what has come. True where something that is drawn has changed.
   bool collect();
@@ -39,10 +39,10 @@ class SceneLooks2 {
   const LiveState2& state() const { return *state_; }  // the last that came
   // The last with light; may be null.
   std::shared_ptr<const LiveState2> lit() const { return texture_ ? texture_->state : nullptr; }
-  const LookRequest2& request() const { return request_; }
+  const ViewRequest2& request() const { return request_; }
   const ToneChoice& tone() const { return tone_; }
-  // Of the look asked for, or null. It is of the state that came last unless is_behind().
-  const LookResult2* result() const { return result_ ? &*result_ : nullptr; }
+  // For the last request, or null. It is of the state that came last unless is_behind().
+  const ViewResult2* result() const { return result_ ? &*result_ : nullptr; }
   bool is_behind() const { return result_ && result_->version != state_->version; }
   const LightTexture2* texture() const { return texture_.get(); }  // of lit(); may be null
 
@@ -53,13 +53,13 @@ class SceneLooks2 {
 
   LiveScene2 live_;
   std::shared_ptr<const LiveState2> state_;
-  LookRequest2 request_;
+  ViewRequest2 request_;
   ToneChoice tone_;
   std::uint32_t pixels_per_cell_ = 1;  // wanted
-  std::optional<LookResult2> result_;
+  std::optional<ViewResult2> result_;
   std::shared_ptr<const LightTexture2> texture_;
   bool is_changed_ = false;
-  Background looking_, toning_;
+  Background computing_, toning_;
 };
 
 }  // namespace hottel

@@ -1,4 +1,4 @@
-#include "viewer/window/plane/scene_looks.h"
+#include "viewer/window/plane/scene_views.h"
 
 #include <chrono>
 #include <thread>
@@ -8,20 +8,20 @@
 
 namespace hottel {
 
-SceneLooks2::SceneLooks2(SimulationRequest2 request, const std::function<void()>& changed)
-    : live_(std::move(request), changed), state_(live_.state()), looking_(changed), toning_(changed) {}
+SceneViews2::SceneViews2(SimulationRequest2 request, const std::function<void()>& changed)
+    : live_(std::move(request), changed), state_(live_.state()), computing_(changed), toning_(changed) {}
 
-void SceneLooks2::set_scene(std::shared_ptr<const Scene2> scene, LiveDepth2 depth) {
+void SceneViews2::set_scene(std::shared_ptr<const Scene2> scene, LiveDepth2 depth) {
   toning_.cancel();  // the next state asks for its own
   live_.set(std::move(scene), depth);
 }
 
-void SceneLooks2::set_request(const LookRequest2& request) {
+void SceneViews2::set_request(const ViewRequest2& request) {
   if (request == request_) return;
-  LookRequest2 same_look = request_;
-  same_look.mouse = request.mouse;
-  same_look.other = request.other;
-  if (!(same_look == request)) {  // what is there is of something else
+  ViewRequest2 same_mode = request_;
+  same_mode.mouse = request.mouse;
+  same_mode.other = request.other;
+  if (!(same_mode == request)) {  // what is there is of something else
     result_.reset();
     is_changed_ = true;
   }
@@ -29,7 +29,7 @@ void SceneLooks2::set_request(const LookRequest2& request) {
   ask();
 }
 
-void SceneLooks2::set_tone(const ToneChoice& tone, std::uint32_t pixels_per_cell) {
+void SceneViews2::set_tone(const ToneChoice& tone, std::uint32_t pixels_per_cell) {
   if (tone == tone_ && pixels_per_cell == pixels_per_cell_) return;
   const bool is_other_tone = !(tone == tone_);
   tone_ = tone;
@@ -38,37 +38,37 @@ void SceneLooks2::set_tone(const ToneChoice& tone, std::uint32_t pixels_per_cell
   ask_for_fine_texture();
 }
 
-void SceneLooks2::set_first_texture(std::shared_ptr<const LiveState2> state) {
+void SceneViews2::set_first_texture(std::shared_ptr<const LiveState2> state) {
   Raster raster = first_texture_2(*state, tone_);
   texture_ = std::make_shared<const LightTexture2>(LightTexture2{std::move(state), tone_, 1, std::move(raster)});
   is_changed_ = true;
 }
 
-void SceneLooks2::look_again() {
+void SceneViews2::compute_again() {
   result_.reset();
   ask();
 }
 
-void SceneLooks2::ask() {
+void SceneViews2::ask() {
   if (!state_->scene || !needs_work(request_)) {
-    looking_.cancel();
+    computing_.cancel();
     is_changed_ = is_changed_ || result_;
     result_.reset();
     return;
   }
-  looking_.post([this, state = state_, request = request_](const StageProgress& progress, const auto& tell) {
-    const auto apply = [this](LookResult2 result) {
-      return [this, result = std::make_shared<LookResult2>(std::move(result))] {
+  computing_.post([this, state = state_, request = request_](const StageProgress& progress, const auto& tell) {
+    const auto apply = [this](ViewResult2 result) {
+      return [this, result = std::make_shared<ViewResult2>(std::move(result))] {
         result_ = std::move(*result);
         is_changed_ = true;
       };
     };
     return Background::Apply(
-        apply(look_at(*state, request, progress, [&](LookResult2 so_far) { tell(apply(std::move(so_far))); })));
+        apply(compute_view(*state, request, progress, [&](ViewResult2 so_far) { tell(apply(std::move(so_far))); })));
   });
 }
 
-void SceneLooks2::ask_for_fine_texture() {
+void SceneViews2::ask_for_fine_texture() {
   const bool is_wanted = texture_ && texture_->state == state_ && state_->depth == LiveDepth2::kFull &&
                          texture_->pixels_per_cell != pixels_per_cell_;
   if (!is_wanted) {
@@ -85,8 +85,8 @@ void SceneLooks2::ask_for_fine_texture() {
   });
 }
 
-bool SceneLooks2::collect() {
-  looking_.collect();
+bool SceneViews2::collect() {
+  computing_.collect();
   toning_.collect();
   if (const auto state = live_.state(); state != state_ && state->scene) {
     state_ = state;
@@ -98,11 +98,11 @@ bool SceneLooks2::collect() {
   return std::exchange(is_changed_, false);
 }
 
-bool SceneLooks2::is_at_rest() const {
-  return live_.is_done() && live_.state() == state_ && !looking_.is_busy() && !toning_.is_busy();
+bool SceneViews2::is_at_rest() const {
+  return live_.is_done() && live_.state() == state_ && !computing_.is_busy() && !toning_.is_busy();
 }
 
-bool SceneLooks2::wait(double seconds) {
+bool SceneViews2::wait(double seconds) {
   Stopwatch watch;
   bool has_changed = false;
   for (double waited = 0; waited < seconds; waited += watch.lap()) {

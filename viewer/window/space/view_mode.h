@@ -1,4 +1,4 @@
-// What a window can show of a scene in space beside its light, and what has to be computed for it.
+// View modes of a window in space: what it can show of a scene, and the computation of that.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace hottel {
 
-enum class LookKind3 : unsigned char {
+enum class ViewMode3 : unsigned char {
   kLight,       // what the eye sees, through a tone curve
   kRadiosity,   // the radiosity of each element, on a scale
   kIrradiance,  // what it receives
@@ -28,24 +28,24 @@ enum class LookKind3 : unsigned char {
   kPlan,        // which effects are simulated, and why
   kSweeps,      // an iterative solver, sweep by sweep
 };
-inline constexpr int kLooks3 = 7;
+inline constexpr int kViewModes3 = 7;
 
 // The word for it, as scripts have it: "light", "radiosity", "irradiance", "factors", "errors", "plan", "sweeps"; and
 // back, nothing for other words.
-const char* to_string(LookKind3 look);
-std::optional<LookKind3> look_3(std::string_view word);
+const char* to_string(ViewMode3 mode);
+std::optional<ViewMode3> view_mode_3(std::string_view word);
 
-// What is looked at.
-struct LookRequest3 {
-  LookKind3 look = LookKind3::kLight;
+// What is to be shown.
+struct ViewRequest3 {
+  ViewMode3 mode = ViewMode3::kLight;
   std::optional<Face> face = {};         // picked
   std::string method = "points:2";       // of kErrors
   Solver solver = Solver::kGaussSeidel;  // of kSweeps
-  friend bool operator==(const LookRequest3&, const LookRequest3&) = default;
+  friend bool operator==(const ViewRequest3&, const ViewRequest3&) = default;
 };
 
-// What was computed for a look, of one version. What a look does not need is empty.
-struct LookResult3 {
+// What was computed for a view mode, from one version. Members that the mode does not need are empty.
+struct ViewResult3 {
   LiveVersion3::Ptr version;                               // that it is of
   std::vector<std::string> lines{};                        // of text, for a panel
   std::string number{};                                    // what to copy: with all digits
@@ -53,46 +53,47 @@ struct LookResult3 {
   std::shared_ptr<const RadiositySolution> radiosities{};  // of kSweeps: so far
 };
 
-// Whether a look needs more than the version: whether look_at_3() has anything to do.
-bool needs_work(const LookRequest3& request);
+// True iff a request needs more than the version has, so that compute_view_3() has anything to do.
+bool needs_work(const ViewRequest3& request);
 
-// Computes what a look needs, of a version. tell: is called with what there is so far, where a look goes on
-// for long. What cannot be had is told in the lines; throws Interrupted where it is stopped, and what progress throws.
+// Computes from a version what a request needs. tell: called with intermediate results if the computation takes
+// long. If something cannot be computed, `lines` say why; throws Interrupted if it is stopped, and what progress
+// throws.
 //
 //   (1) kFactors: the doubles of factors.csv, of whole polygons, all digits of them, largest first, and what is
 //       guaranteed of each
-//   (2) kErrors: as `compare` has it
+//   (2) kErrors: as `compare` computes it
 //   (3) kSweeps: after k sweeps, k = 0, 1, ..., kMostSweeps3, the light is that of `solve --solver S --iterations k`.
-//       Each is told, no faster than ten a second
+//       tell gets each of them, at most ten a second
 // REQUIRES a version with light.
-LookResult3 look_at_3(const LiveVersion3::Ptr& version, const LookRequest3& request, const StageProgress& progress,
-                      const std::function<void(LookResult3)>& tell = {});
+ViewResult3 compute_view_3(const LiveVersion3::Ptr& version, const ViewRequest3& request, const StageProgress& progress,
+                           const std::function<void(ViewResult3)>& tell = {});
 inline constexpr int kMostSweeps3 = 50;
 
-// What a frame shows, and what lies under the mouse is asked of: one version, and what was computed of that for the
-// look. What is of a result is of the result's version, so nothing of another can be shown with it.
-class ShownLook3 {
+// What a frame shows and the mouse points at: one version, and what was computed from it for the view mode. The version
+// is always that of the result, so two versions are never shown together.
+class ShownView3 {
  public:
-  ShownLook3() = default;  // nothing to be seen
-  explicit ShownLook3(LiveVersion3::Ptr version) : version_(std::move(version)) {}
-  explicit ShownLook3(std::shared_ptr<const LookResult3> result)
+  ShownView3() = default;  // nothing to be seen
+  explicit ShownView3(LiveVersion3::Ptr version) : version_(std::move(version)) {}
+  explicit ShownView3(std::shared_ptr<const ViewResult3> result)
       : version_(result->version), result_(std::move(result)) {}
 
   const LiveVersion3* version() const { return version_.get(); }  // null: nothing
-  const LookResult3* result() const { return result_.get(); }     // null: the light alone
+  const ViewResult3* result() const { return result_.get(); }     // null: the light alone
   // Values on a scale in place of the light; null where light is shown.
   const ShownValues* values() const { return result_ && result_->shown ? &*result_->shown : nullptr; }
-  // The light: of the sweeps, where the look is those. REQUIRES a version.
+  // The light; in the mode kSweeps that of the sweep. REQUIRES a version.
   ElementPaint3 light() const;
   const RadiositySolution* radiosities() const;  // the same; null where there is none yet
-  // The number that can be copied: that of what is shown of an element, else the light there; where nothing is pointed
-  // at, what is looked at.
+  // The number that can be copied: the value that is shown of an element, else the light there; without an element, the
+  // number of the result.
   std::string number(const std::optional<LiveElement3>& element) const;
   const char* name_of_number() const;  // "radiosity"
 
  private:
   LiveVersion3::Ptr version_;
-  std::shared_ptr<const LookResult3> result_;
+  std::shared_ptr<const ViewResult3> result_;
 };
 
 // What is known of a picked polygon without computing anything: name, side, material and area; and of one of its

@@ -1,5 +1,5 @@
-// What can be looked at: computed as the library does, drawn as its pictures are.
-#include "viewer/window/plane/look.h"
+// View modes: computed as the library computes, drawn as its pictures are.
+#include "viewer/window/plane/view_mode.h"
 
 #include <gmock/gmock.h>
 
@@ -35,9 +35,9 @@
 #include "viewer/picture/recording_canvas.h"
 #include "viewer/picture/tone_curve.h"
 #include "viewer/window/plane/camera.h"
-#include "viewer/window/plane/look_painter.h"
+#include "viewer/window/plane/view_painter.h"
 
-namespace hottel::look_test {
+namespace hottel::view_mode_test {
 namespace {
 
 using testing::Contains;
@@ -95,47 +95,47 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-TEST(Look2, HasAWordEach) {
+TEST(ViewMode2, HasAWordEach) {
   std::vector<std::string> words;
-  for (int k = 0; k < kLooks2; ++k) {
-    const auto look = static_cast<Look2>(k);
-    EXPECT_EQ(look_2(to_string(look)), look);
-    words.emplace_back(to_string(look));
+  for (int k = 0; k < kViewModes2; ++k) {
+    const auto mode = static_cast<ViewMode2>(k);
+    EXPECT_EQ(view_mode_2(to_string(mode)), mode);
+    words.emplace_back(to_string(mode));
   }
   EXPECT_THAT(words, ElementsAre("light", "floor", "bands", "visibility", "factors", "pair", "errors", "check", "plan",
                                  "sweeps"));
-  for (const char* word : {"", "Light", "ligh", "lights"}) EXPECT_EQ(look_2(word), std::nullopt);
+  for (const char* word : {"", "Light", "ligh", "lights"}) EXPECT_EQ(view_mode_2(word), std::nullopt);
 }
 
-TEST(Look2, NeedsWorkUnlessTheStateHasIt) {
-  for (int k = 0; k < kLooks2; ++k) {
-    LookRequest2 request{.look = static_cast<Look2>(k)};
-    const bool is_of_mouse = request.look <= Look2::kVisibility;
+TEST(ViewMode2, NeedsWorkUnlessTheStateHasIt) {
+  for (int k = 0; k < kViewModes2; ++k) {
+    ViewRequest2 request{.mode = static_cast<ViewMode2>(k)};
+    const bool is_of_mouse = request.mode <= ViewMode2::kVisibility;
     EXPECT_EQ(needs_work(request), !is_of_mouse);
     request.mouse = Point2{1, 1};
     EXPECT_TRUE(needs_work(request));
   }
 }
 
-TEST(LookAt2, TellsTheLightAtTheMouse) {
+TEST(ComputeView2, TellsTheLightAtTheMouse) {
   const Point2 mouse{Rational(1) / 2, 2};
   const PointLight2 light = light_at(*room().simulation, mouse);
   std::string expected;
   for (const double value : light.mean_irradiance) expected += (expected.empty() ? "" : " ") + shortest(value);
-  for (const Look2 look : {Look2::kLight, Look2::kFloor, Look2::kBands, Look2::kVisibility}) {
-    const LookResult2 result = look_at(room(), {.look = look, .mouse = mouse}, kNoProgress);
+  for (const ViewMode2 mode : {ViewMode2::kLight, ViewMode2::kFloor, ViewMode2::kBands, ViewMode2::kVisibility}) {
+    const ViewResult2 result = compute_view(room(), {.mode = mode, .mouse = mouse}, kNoProgress);
     EXPECT_EQ(result.number, expected);
     EXPECT_EQ(result.version, room().version);
-    EXPECT_EQ(result.request.look, look);
+    EXPECT_EQ(result.request.mode, mode);
     EXPECT_TRUE(result.is_done);
-    EXPECT_EQ(result.sight.has_value(), look == Look2::kVisibility);
+    EXPECT_EQ(result.sight.has_value(), mode == ViewMode2::kVisibility);
   }
 }
 
-TEST(LookAt2, TellsWhatTheMouseSees) {
+TEST(ComputeView2, TellsWhatTheMouseSees) {
   for (const Point2& mouse :
        {Point2{Rational(1) / 2, 2}, Point2{1, 2}, Point2{9, 9}, Point2{Rational(5) / 2, Rational(3) / 2}}) {
-    const LookResult2 result = look_at(room(), {.look = Look2::kVisibility, .mouse = mouse}, kNoProgress);
+    const ViewResult2 result = compute_view(room(), {.mode = ViewMode2::kVisibility, .mouse = mouse}, kNoProgress);
     const PointView2 sight = point_view(*room().prepared, mouse);
     const VisibilityDrawing2 drawing = drawing_of(sight.polygon);
     ASSERT_TRUE(result.sight);
@@ -151,7 +151,7 @@ TEST(LookAt2, TellsWhatTheMouseSees) {
 }
 
 // A line of the report, without its closed form; what the panel must say of a pair.
-TEST(LookAt2, TellsAllThatIsKnownOfAPair) {
+TEST(ComputeView2, TellsAllThatIsKnownOfAPair) {
   const Scene2& scene = room().prepared->scene;
   const Face from{1, false}, to{3, false};
   const PairSight2 sight{.from = "room[0]",
@@ -161,14 +161,16 @@ TEST(LookAt2, TellsAllThatIsKnownOfAPair) {
                          .pair = exact_pair(*room().prepared, from, to),
                          .critical = critical_points(*room().prepared, from, to)};
   ASSERT_EQ(scene.surfaces[1].name, "room[0]");
-  const LookResult2 whole = look_at(
-      room(), {.look = Look2::kPair, .face = "room[0]", .other = "room[2]", .wants_closed_form = true}, kNoProgress);
+  const ViewResult2 whole =
+      compute_view(room(), {.mode = ViewMode2::kPair, .face = "room[0]", .other = "room[2]", .wants_closed_form = true},
+                   kNoProgress);
   EXPECT_EQ(words_of(joined(whole.lines)), words_of(pair_answer(sight).text));
   ASSERT_TRUE(whole.pair);
   EXPECT_EQ(whole.pair->critical_on_a, drawing_of(sight).critical_on_a);
   EXPECT_FALSE(whole.pair->critical_on_a.empty());
 
-  const LookResult2 brief = look_at(room(), {.look = Look2::kPair, .face = "room[0]", .other = "room[2]"}, kNoProgress);
+  const ViewResult2 brief =
+      compute_view(room(), {.mode = ViewMode2::kPair, .face = "room[0]", .other = "room[2]"}, kNoProgress);
   EXPECT_EQ(brief.lines.size(), whole.lines.size());
   EXPECT_THAT(joined(brief.lines), Not(HasSubstr("sqrt")));
   EXPECT_THAT(joined(whole.lines), HasSubstr("sqrt"));
@@ -177,13 +179,13 @@ TEST(LookAt2, TellsAllThatIsKnownOfAPair) {
   EXPECT_EQ(std::stod(whole.number), factor);
 }
 
-TEST(LookAt2, TellsTheFactorOfTheFaceUnderTheMouse) {
+TEST(ComputeView2, TellsTheFactorOfTheFaceUnderTheMouse) {
   const Face from{1, false};
   for (std::uint32_t s = 0; s < small_room().surfaces.size(); ++s)
     for (const bool is_back : {false, true}) {
       const Face to{s, is_back};
-      const LookResult2 result = look_at(
-          room(), {.look = Look2::kFactors, .face = "room[0]", .other = face_name(small_room(), to)}, kNoProgress);
+      const ViewResult2 result = compute_view(
+          room(), {.mode = ViewMode2::kFactors, .face = "room[0]", .other = face_name(small_room(), to)}, kNoProgress);
       EXPECT_FALSE(result.pair);
       EXPECT_THAT(result.lines, Not(Contains(StartsWith("critical"))));
       const ExactPair2 pair = exact_pair(*room().prepared, from, to);
@@ -194,10 +196,11 @@ TEST(LookAt2, TellsTheFactorOfTheFaceUnderTheMouse) {
 }
 
 // A version that counts its surfaces otherwise: faces are asked for by name.
-TEST(LookAt2, FacesAreThoseOfTheirNamesInEveryVersion) {
+TEST(ComputeView2, FacesAreThoseOfTheirNamesInEveryVersion) {
   const LiveState2 without_screen = state_of(erase_surfaces(small_room(), std::vector<std::uint32_t>{0}));
-  const LookRequest2 request{.look = Look2::kPair, .face = "room[0]", .other = "room[2]"};
-  const LookResult2 here = look_at(room(), request, kNoProgress), there = look_at(without_screen, request, kNoProgress);
+  const ViewRequest2 request{.mode = ViewMode2::kPair, .face = "room[0]", .other = "room[2]"};
+  const ViewResult2 here = compute_view(room(), request, kNoProgress),
+                    there = compute_view(without_screen, request, kNoProgress);
   EXPECT_EQ(there.lines[0], here.lines[0]);
   EXPECT_EQ(std::stod(there.number), view_factor(*without_screen.simulation, "room[0]", "room[2]").value);
   EXPECT_EQ(face_called(*without_screen.scene, "room[0]"), (Face{0, false}));
@@ -205,19 +208,20 @@ TEST(LookAt2, FacesAreThoseOfTheirNamesInEveryVersion) {
   EXPECT_EQ(face_called(*without_screen.scene, "screen"), std::nullopt);
 }
 
-TEST(LookAt2, AsksForFacesThatAreMissing) {
-  EXPECT_THAT(look_at(room(), {.look = Look2::kPair}, kNoProgress).lines, ElementsAre(HasSubstr("then another")));
-  EXPECT_THAT(look_at(room(), {.look = Look2::kFactors}, kNoProgress).lines, ElementsAre("click a face"));
-  EXPECT_THAT(look_at(room(), {.look = Look2::kFactors, .face = "room[3]"}, kNoProgress).lines,
+TEST(ComputeView2, AsksForFacesThatAreMissing) {
+  EXPECT_THAT(compute_view(room(), {.mode = ViewMode2::kPair}, kNoProgress).lines,
+              ElementsAre(HasSubstr("then another")));
+  EXPECT_THAT(compute_view(room(), {.mode = ViewMode2::kFactors}, kNoProgress).lines, ElementsAre("click a face"));
+  EXPECT_THAT(compute_view(room(), {.mode = ViewMode2::kFactors, .face = "room[3]"}, kNoProgress).lines,
               ElementsAre("from room[3]", HasSubstr("under the mouse")));
   // Faces of another version of the scene.
-  EXPECT_TRUE(look_at(room(), {.look = Look2::kPair, .face = "none"}, kNoProgress).lines.empty());
-  EXPECT_FALSE(look_at(room(), {.look = Look2::kPair, .face = "room[0]", .other = "none"}, kNoProgress).pair);
+  EXPECT_TRUE(compute_view(room(), {.mode = ViewMode2::kPair, .face = "none"}, kNoProgress).lines.empty());
+  EXPECT_FALSE(compute_view(room(), {.mode = ViewMode2::kPair, .face = "room[0]", .other = "none"}, kNoProgress).pair);
 }
 
-TEST(LookAt2, HasErrorsAsCompareHasThem) {
+TEST(ComputeView2, HasErrorsAsCompareHasThem) {
   for (const char* name : {"rays:1000", "center-vis", "gauss:2"}) {
-    const LookResult2 result = look_at(room(), {.look = Look2::kErrors, .method = name}, kNoProgress);
+    const ViewResult2 result = compute_view(room(), {.mode = ViewMode2::kErrors, .method = name}, kNoProgress);
     const MethodComparison2 comparison(*room().simulation);
     const MethodResult expected = comparison.run(*methods_2().make(name), 1);
     EXPECT_EQ(result.number, shortest(expected.errors.max)) << name;
@@ -233,20 +237,20 @@ TEST(LookAt2, HasErrorsAsCompareHasThem) {
   }
 }
 
-TEST(LookAt2, TellsWhatCannotBeHad) {
-  const LookResult2 none = look_at(room(), {.look = Look2::kErrors, .method = "no such method"}, kNoProgress);
+TEST(ComputeView2, TellsWhatCannotBeHad) {
+  const ViewResult2 none = compute_view(room(), {.mode = ViewMode2::kErrors, .method = "no such method"}, kNoProgress);
   EXPECT_THAT(none.lines, ElementsAre(HasSubstr("no such method")));
-  for (int k = 0; k < kLooks2; ++k) {
-    const LookRequest2 request{.look = static_cast<Look2>(k), .mouse = Point2{1, 1}, .face = "one", .other = "two"};
-    const LookResult2 result = look_at(dark(), request, kNoProgress);  // and does not throw
+  for (int k = 0; k < kViewModes2; ++k) {
+    const ViewRequest2 request{.mode = static_cast<ViewMode2>(k), .mouse = Point2{1, 1}, .face = "one", .other = "two"};
+    const ViewResult2 result = compute_view(dark(), request, kNoProgress);  // and does not throw
     EXPECT_FALSE(result.light);
     EXPECT_FALSE(result.plan);
   }
 }
 
-TEST(LookAt2, FindsWhatCheckFinds) {
+TEST(ComputeView2, FindsWhatCheckFinds) {
   for (const LiveState2& state : {dark(), state_of(room_with_a_near_miss())}) {
-    const LookResult2 result = look_at(state, {.look = Look2::kCheck}, kNoProgress);
+    const ViewResult2 result = compute_view(state, {.mode = ViewMode2::kCheck}, kNoProgress);
     const auto check = state.simulation->check();
     std::size_t places = 0;
     for (std::size_t k = 0; k < check->findings.size(); ++k) {
@@ -265,19 +269,19 @@ TEST(LookAt2, FindsWhatCheckFinds) {
   }
 }
 
-TEST(LookAt2, SaysThePlanOfTheSimulation) {
-  const LookResult2 result = look_at(room(), {.look = Look2::kPlan}, kNoProgress);
+TEST(ComputeView2, SaysThePlanOfTheSimulation) {
+  const ViewResult2 result = compute_view(room(), {.mode = ViewMode2::kPlan}, kNoProgress);
   EXPECT_EQ(words_of(joined(result.lines)), words_of(plan_text(*room().simulation->plan())));
 }
 
-TEST(LookAt2, SweepsAreThoseOfSolveWithSoManyIterations) {
+TEST(ComputeView2, SweepsAreThoseOfSolveWithSoManyIterations) {
   for (const Solver solver : {Solver::kGaussSeidel, Solver::kJacobi, Solver::kShooting, Solver::kCg}) {
-    std::vector<LookResult2> told;
-    LookResult2 last = look_at(room(), {.look = Look2::kSweeps, .solver = solver}, kNoProgress);
+    std::vector<ViewResult2> told;
+    ViewResult2 last = compute_view(room(), {.mode = ViewMode2::kSweeps, .solver = solver}, kNoProgress);
     EXPECT_TRUE(last.is_done);
     const StageProgress until_five = [&](std::string_view, double) {};
     try {
-      look_at(room(), {.look = Look2::kSweeps, .solver = solver}, until_five, [&](const LookResult2& result) {
+      compute_view(room(), {.mode = ViewMode2::kSweeps, .solver = solver}, until_five, [&](const ViewResult2& result) {
         told.push_back(result);
         if (told.size() == 5) throw Interrupted();
       });
@@ -299,15 +303,15 @@ TEST(LookAt2, SweepsAreThoseOfSolveWithSoManyIterations) {
 }
 
 // Work that waits is asked about every 20 ms, and ends where its own stop is asked for.
-TEST(LookAt2, StopsWhereItIsStopped) {
+TEST(ComputeView2, StopsWhereItIsStopped) {
   const std::atomic<bool> is_stopped = true;
   const StopScope scope(&is_stopped);
   const StageProgress progress = [](std::string_view, double) { throw_if_interrupted(); };
   LiveState2 fresh;
   fresh.simulation = Simulation2(small_room());
   fresh.factors = room().factors;
-  for (const Look2 look : {Look2::kErrors, Look2::kCheck, Look2::kSweeps})
-    EXPECT_THROW(look_at(fresh, {.look = look}, progress), Interrupted) << to_string(look);
+  for (const ViewMode2 mode : {ViewMode2::kErrors, ViewMode2::kCheck, ViewMode2::kSweeps})
+    EXPECT_THROW(compute_view(fresh, {.mode = mode}, progress), Interrupted) << to_string(mode);
 }
 
 // How it is drawn.
@@ -321,15 +325,15 @@ Frame2 frame_of(const Scene2& scene) {
   return camera.frame(kSize);
 }
 
-RecordingCanvas drawn(const LiveState2& state, const LookRequest2& request, const LookResult2* result = nullptr,
+RecordingCanvas drawn(const LiveState2& state, const ViewRequest2& request, const ViewResult2* result = nullptr,
                       ToneChoice tone = {}) {
   RecordingCanvas canvas(kSize.width, kSize.height);
-  draw_look(canvas, frame_of(*state.scene), kUnit,
+  draw_view(canvas, frame_of(*state.scene), kUnit,
             {.state = &state, .request = &request, .result = result, .tone = tone});
   return canvas;
 }
 
-RecordingCanvas drawn(const LiveState2& state, const LookRequest2& request, const LookResult2& result) {
+RecordingCanvas drawn(const LiveState2& state, const ViewRequest2& request, const ViewResult2& result) {
   return drawn(state, request, &result);
 }
 
@@ -356,41 +360,41 @@ void expect_same(const RecordingCanvas& a, const RecordingCanvas& b) {
   }
 }
 
-TEST(DrawLook2, PlansAreThoseOfThePicture) {
+TEST(DrawView2, PlansAreThoseOfThePicture) {
   const ScenePicture2 plain;
   const RecordingCanvas expected = painted(ScenePicturePainter2(*room().prepared, plain, sheet_of(room())));
-  expect_same(drawn(room(), {.look = Look2::kPlan}), expected);
+  expect_same(drawn(room(), {.mode = ViewMode2::kPlan}), expected);
   // What has nothing to show yet is the plan too.
-  for (const Look2 look : {Look2::kVisibility, Look2::kFactors, Look2::kPair, Look2::kCheck})
-    expect_same(drawn(room(), {.look = look}), expected);
+  for (const ViewMode2 mode : {ViewMode2::kVisibility, ViewMode2::kFactors, ViewMode2::kPair, ViewMode2::kCheck})
+    expect_same(drawn(room(), {.mode = mode}), expected);
 }
 
-TEST(DrawLook2, SightIsThatOfThePicture) {
-  const LookRequest2 request{.look = Look2::kVisibility, .mouse = Point2{Rational(1) / 2, 2}};
-  const LookResult2 result = look_at(room(), request, kNoProgress);
+TEST(DrawView2, SightIsThatOfThePicture) {
+  const ViewRequest2 request{.mode = ViewMode2::kVisibility, .mouse = Point2{Rational(1) / 2, 2}};
+  const ViewResult2 result = compute_view(room(), request, kNoProgress);
   expect_same(drawn(room(), request, result), painted(VisibilityPainter2(*result.sight, sheet_of(room()))));
 }
 
-TEST(DrawLook2, PairsAreThoseOfThePicture) {
-  const LookRequest2 request{.look = Look2::kPair, .face = "room[0]", .other = "room[2]"};
-  const LookResult2 result = look_at(room(), request, kNoProgress);
+TEST(DrawView2, PairsAreThoseOfThePicture) {
+  const ViewRequest2 request{.mode = ViewMode2::kPair, .face = "room[0]", .other = "room[2]"};
+  const ViewResult2 result = compute_view(room(), request, kNoProgress);
   const RecordingCanvas canvas = drawn(room(), request, result);
   expect_same(canvas, painted(PairPainter2(*result.pair, sheet_of(room()))));
   EXPECT_GT(canvas.count(Mark::kCritical), 0u);
 }
 
-TEST(DrawLook2, ResultsOfAnotherVersionAreNotDrawn) {
+TEST(DrawView2, ResultsOfAnotherVersionAreNotDrawn) {
   LiveState2 later = room();
   ++later.version;
-  for (int k = 0; k < kLooks2; ++k) {
-    const LookRequest2 request{
-        .look = static_cast<Look2>(k), .mouse = Point2{1, 1}, .face = "room[0]", .other = "room[2]"};
-    if (request.look == Look2::kSweeps) continue;  // its light is looked at below
-    const LookResult2 result = look_at(room(), request, kNoProgress);
+  for (int k = 0; k < kViewModes2; ++k) {
+    const ViewRequest2 request{
+        .mode = static_cast<ViewMode2>(k), .mouse = Point2{1, 1}, .face = "room[0]", .other = "room[2]"};
+    if (request.mode == ViewMode2::kSweeps) continue;  // its light is tested below
+    const ViewResult2 result = compute_view(room(), request, kNoProgress);
     expect_same(drawn(later, request, result), drawn(later, request));
   }
-  const LookRequest2 request{.look = Look2::kSweeps};
-  LookResult2 result{.version = room().version, .request = request};
+  const ViewRequest2 request{.mode = ViewMode2::kSweeps};
+  ViewResult2 result{.version = room().version, .request = request};
   auto doubled = std::make_shared<SolvedLight2>(*room().light);
   for (double& value : doubled->grid.values) value *= value;
   result.light = doubled;
@@ -399,8 +403,8 @@ TEST(DrawLook2, ResultsOfAnotherVersionAreNotDrawn) {
             drawn(room(), request).calls(Mark::kLight, Kind::kImage)[0].image);
 }
 
-TEST(DrawLook2, BandsAreOneStripeForEachElement) {
-  const RecordingCanvas canvas = drawn(room(), {.look = Look2::kBands});
+TEST(DrawView2, BandsAreOneStripeForEachElement) {
+  const RecordingCanvas canvas = drawn(room(), {.mode = ViewMode2::kBands});
   const ExchangeMatrix& matrix = room().factors->matrix;
   std::size_t rows = 0;
   std::vector<Colour> colours;
@@ -426,9 +430,9 @@ TEST(DrawLook2, BandsAreOneStripeForEachElement) {
   EXPECT_GE(of_step, 2u);
 }
 
-TEST(DrawLook2, FactorsColourTheFacesThatAreSeen) {
+TEST(DrawView2, FactorsColourTheFacesThatAreSeen) {
   const Face from{1, false};
-  const RecordingCanvas canvas = drawn(room(), {.look = Look2::kFactors, .face = "room[0]"});
+  const RecordingCanvas canvas = drawn(room(), {.mode = ViewMode2::kFactors, .face = "room[0]"});
   const ExchangeMatrix by_face = *[&] {
     SimulationRequest2 request;
     request.granularity = Granularity::kFace;
@@ -459,7 +463,7 @@ TEST(DrawLook2, FactorsColourTheFacesThatAreSeen) {
   EXPECT_TRUE(canvas.wrote("view factor from room[0]"));
 }
 
-TEST(DrawLook2, LightLiesBeneathThePlan) {
+TEST(DrawView2, LightLiesBeneathThePlan) {
   const RecordingCanvas canvas = drawn(room(), {});
   const auto light = canvas.calls(Mark::kLight, Kind::kImage);
   ASSERT_EQ(light.size(), 1u);
@@ -467,10 +471,10 @@ TEST(DrawLook2, LightLiesBeneathThePlan) {
   // That of the state is taken as it is; of another state, or by another tone, it is not drawn.
   const auto state = std::make_shared<const LiveState2>(room());
   const LightTexture2 texture{state, {}, 3, light_texture_2(*state, {}, 3)};
-  const LookRequest2 request;
+  const ViewRequest2 request;
   const auto image = [&](const LiveState2& drawn, const ToneChoice& tone) {
     RecordingCanvas given(kSize.width, kSize.height);
-    draw_look(given, frame_of(*drawn.scene), kUnit,
+    draw_view(given, frame_of(*drawn.scene), kUnit,
               {.state = &drawn, .request = &request, .tone = tone, .texture = &texture});
     return given.calls(Mark::kLight, Kind::kImage)[0].image;
   };
@@ -493,7 +497,7 @@ TEST(DrawLook2, LightLiesBeneathThePlan) {
   }
 }
 
-TEST(DrawLook2, TexturesAreThePixelsOfThePicture) {
+TEST(DrawView2, TexturesAreThePixelsOfThePicture) {
   const IlluminationGrid2& values = room().light->grid;
   for (const Tone tone : {Tone::kLog, Tone::kReinhard, Tone::kLinear, Tone::kMax})
     for (const std::uint32_t pixels : {1u, 2u, 5u}) {
@@ -505,8 +509,8 @@ TEST(DrawLook2, TexturesAreThePixelsOfThePicture) {
     }
 }
 
-TEST(DrawLook2, FloorsShowTheirColourTimesTheLight) {
-  const RecordingCanvas canvas = drawn(room(), {.look = Look2::kFloor});
+TEST(DrawView2, FloorsShowTheirColourTimesTheLight) {
+  const RecordingCanvas canvas = drawn(room(), {.mode = ViewMode2::kFloor});
   const auto light = canvas.calls(Mark::kLight, Kind::kImage);
   ASSERT_EQ(light.size(), 1u);
   const Raster& image = light[0].image;
@@ -531,17 +535,17 @@ TEST(DrawLook2, FloorsShowTheirColourTimesTheLight) {
     }
   EXPECT_GT(cells, 20u);
   // The brightest is the floor's own colour; where light is brighter than that it stays.
-  const RecordingCanvas brighter = drawn(room(), {.look = Look2::kFloor}, nullptr, {Tone::kLog, 1e9});
+  const RecordingCanvas brighter = drawn(room(), {.mode = ViewMode2::kFloor}, nullptr, {Tone::kLog, 1e9});
   std::uint32_t full = 0;
   const auto image_of_all = brighter.calls(Mark::kLight, Kind::kImage)[0].image;
   for (const std::uint32_t pixel : image_of_all.pixels) full += pixel == pixel_of(palette::kFloor) ? 1 : 0;
   EXPECT_GT(full, 0u);
 }
 
-TEST(DrawLook2, ChecksRingWhatWasFound) {
+TEST(DrawView2, ChecksRingWhatWasFound) {
   const LiveState2 state = state_of(room_with_a_near_miss());
-  const LookRequest2 request{.look = Look2::kCheck};
-  const LookResult2 result = look_at(state, request, kNoProgress);
+  const ViewRequest2 request{.mode = ViewMode2::kCheck};
+  const ViewResult2 result = compute_view(state, request, kNoProgress);
   ASSERT_FALSE(result.findings.empty());
   const RecordingCanvas canvas = drawn(state, request, result);
   const auto rings = canvas.calls(Mark::kCritical, Kind::kCircle);
@@ -552,12 +556,12 @@ TEST(DrawLook2, ChecksRingWhatWasFound) {
   }
 }
 
-TEST(DrawLook2, SplitsLightAndErrorsAtTheBar) {
-  const LookRequest2 request{.look = Look2::kErrors};
-  const LookResult2 result = look_at(room(), request, kNoProgress);
+TEST(DrawView2, SplitsLightAndErrorsAtTheBar) {
+  const ViewRequest2 request{.mode = ViewMode2::kErrors};
+  const ViewResult2 result = compute_view(room(), request, kNoProgress);
   for (const double split : {0.0, 0.25, 0.7, 1.0, 7.0, -3.0}) {
     RecordingCanvas canvas(kSize.width, kSize.height);
-    draw_look(canvas, frame_of(*room().scene), kUnit,
+    draw_view(canvas, frame_of(*room().scene), kUnit,
               {.state = &room(), .request = &request, .result = &result, .split = split});
     const double x = std::clamp(split, 0.0, 1.0) * kSize.width;
     const auto images = canvas.calls(Mark::kLight, Kind::kImage);
@@ -575,19 +579,19 @@ TEST(DrawLook2, SplitsLightAndErrorsAtTheBar) {
   expect_same(drawn(room(), request), drawn(room(), {}));
 }
 
-TEST(DrawLook2, WithoutAPreparedSceneThereAreEdgesAlone) {
+TEST(DrawView2, WithoutAPreparedSceneThereAreEdgesAlone) {
   const LiveState2 state = dark();
   ASSERT_EQ(state.prepared, nullptr);
-  for (int k = 0; k < kLooks2; ++k) {
+  for (int k = 0; k < kViewModes2; ++k) {
     const RecordingCanvas canvas =
-        drawn(state, {.look = static_cast<Look2>(k), .face = face_name(*state.scene, {0, false})});
+        drawn(state, {.mode = static_cast<ViewMode2>(k), .face = face_name(*state.scene, {0, false})});
     EXPECT_EQ(canvas.count(Mark::kEdge), state.scene->edges.size());
     EXPECT_EQ(canvas.calls().size(), state.scene->edges.size() + 1);
     EXPECT_EQ(canvas.count(Mark::kPaper), 1u);
   }
 }
 
-TEST(DrawLook2, WithoutLightThereIsThePlan) {
+TEST(DrawView2, WithoutLightThereIsThePlan) {
   Scene2 open = small_room();
   open = erase_surfaces(open, std::vector<std::uint32_t>{1});  // "closed" is broken
   const LiveState2 state = state_of(open);
@@ -595,9 +599,10 @@ TEST(DrawLook2, WithoutLightThereIsThePlan) {
   ASSERT_EQ(state.light, nullptr);
   const ScenePicture2 plain;
   const RecordingCanvas plan = painted(ScenePicturePainter2(*state.prepared, plain, sheet_of(state)));
-  for (const Look2 look : {Look2::kLight, Look2::kFloor, Look2::kBands, Look2::kErrors, Look2::kSweeps})
-    expect_same(drawn(state, {.look = look}), plan);
+  for (const ViewMode2 mode :
+       {ViewMode2::kLight, ViewMode2::kFloor, ViewMode2::kBands, ViewMode2::kErrors, ViewMode2::kSweeps})
+    expect_same(drawn(state, {.mode = mode}), plan);
 }
 
 }  // namespace
-}  // namespace hottel::look_test
+}  // namespace hottel::view_mode_test
