@@ -7,14 +7,14 @@
 namespace hottel {
 namespace {
 
-constexpr double kGap = 12, kHeadRoom = 52, kLeastRoom = 58;  // units
+constexpr double kTextGap = 12, kHeadRoom = 52, kLeastRoom = 58;  // units
 constexpr double kLeastSide = 260;                               // units that a text is wide, where the window is
 
 }  // namespace
 
 TextRoom draw_head_and_line(PictureCanvas& canvas, const std::string& head, const std::string& line, Scrolls& scrolls,
                             double unit) {
-  const double gap = kGap * unit, width = canvas.width(), height = canvas.height();
+  const double gap = kTextGap * unit, width = canvas.width(), height = canvas.height();
   const double head_height = draw_panel(
       canvas, {.lines = {head}},
       {.corner = {gap, gap}, .width = 0.7 * width, .height = 0.3 * height, .scroll = &scrolls.of("head")}, unit);
@@ -34,12 +34,12 @@ TextRoom draw_head_and_line(PictureCanvas& canvas, const std::string& head, cons
 
 double side_width(const PictureCanvas& canvas, double share, double unit) {
   const double width = canvas.width();
-  return std::max(share * width, std::min(kLeastSide * unit, width - 2 * kGap * unit));
+  return std::max(share * width, std::min(kLeastSide * unit, width - 2 * kTextGap * unit));
 }
 
 void draw_side_texts(PictureCanvas& canvas, std::span<const SideText> texts, double share, const TextRoom& room,
                      Scrolls& scrolls, double unit) {
-  const double gap = kGap * unit;
+  const double gap = kTextGap * unit;
   double top = room.top;
   auto left = static_cast<double>(std::ranges::count_if(texts, [](const SideText& t) { return !t.lines.empty(); }));
   for (const SideText& text : texts) {
