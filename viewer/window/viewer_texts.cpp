@@ -8,7 +8,7 @@ namespace hottel {
 namespace {
 
 constexpr double kTextGap = 12, kHeadRoom = 52, kLeastRoom = 58;  // units
-constexpr double kLeastSide = 260;                               // units that a text is wide, where the window is
+constexpr double kLeastSide = 260;                                // units that a text is wide, where the window is
 
 }  // namespace
 
