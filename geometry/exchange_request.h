@@ -17,9 +17,9 @@ enum class SkyBy : unsigned char {
 
 // What is asked of a computation of view factors, by any method, in the plane or in space.
 //
-//   (1) a request chooses rows and columns, leaves out what is not needed, and limits memory. Nothing in it changes a
-//       number that is computed with it and without it, except the tolerance and the sky by
-//       closure
+//   (1) a request chooses rows and columns, leaves out what is not needed, and limits memory. Numbers that are
+//       computed with and without it are the same,
+//       except for the tolerance, and for the sky by closure
 //   (2) the memory limit is checked against an estimate before the work, and against the pairs found during it. Methods
 //       that are not exact ignore it
 //   (3) a method that has no visibilities or measures leaves them out

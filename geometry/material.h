@@ -34,11 +34,11 @@ inline constexpr std::size_t kSolarBand = 0, kThermalBand = 1;
 //   (2) an insulated material (heat leaves it by radiation alone) has reflectivity 1, emission 0, and the flag
 //       called_insulated. It acts as any material with these values, but see (4); with other values the flag is void
 //   (3) with a given net flux q (set_given_flux) reflectivity is 1 and emission is q, so that B = q + H: that is
-//       how it acts on light. Its emissivity e gives the temperature of its surface: sigma T⁴ =
-//       B + (1 - e) q / e. If the reflectivity is not 1, or the
-//       emission differs by channel, emissivity is void
-//   (4) in two bands (set_bands) temperatures, insulated faces and given fluxes concern
-//       the thermal band alone. An insulated face then sends out what arrives and what it gains in the solar band, as a
+//       how it acts on light. The emissivity e of its surface gives the temperature:
+//       sigma T⁴ = B + (1 - e) q / e.
+//       If the reflectivity is not 1, or the emission differs by channel, emissivity is void
+//   (4) in two bands (set_bands) temperatures, insulation and given fluxes concern the thermal band
+//       alone. An insulated face then sends out what arrives and what it gains in the solar band, as a
 //       face of given flux 0 does, and may have an emissivity
 //   (5) a two-sided material acts like any other: the flag only tells which backs have it (settle_two_sided)
 struct Material {

@@ -14,9 +14,9 @@ namespace hottel {
 
 // A method for the view factors of a prepared scene.
 //
-//   (1) rows and columns are prepared.elements(request.granularity)->elements(), in that order, and the
-//       sky is the last column; an
-//       element has a row iff it has one in the exact matrix
+//   (1) rows and columns are prepared.elements(request.granularity)->elements(), in that order;
+//       the sky is the last column;
+//       an element has a row iff it has one in the exact matrix
 //   (2) the same call gives the same matrix bit for bit, for any number of threads
 //   (3) a matrix that is not kExact does not tell on which side the true values are: FactorEntry::factor.side is 0
 //   (4) by elements, |F_ij - exact F_ij| <= claimed_errors(prepared)(i, j) for every pair, and <= declared_error where
@@ -25,8 +25,8 @@ namespace hottel {
 //   (5) a method that looks in all directions measures the sky as it does faces
 //   (6) a method that looks at pairs only has no entry for the sky in rows of elements inside closed walls; for an
 //       element that borders the open space the factor of the sky is max(0, 1 - the sum of the others). So inside
-//       closed walls the row defect shows the whole error of a row sum, and in the open only whether it is
-//       above 1
+//       closed walls the row defect shows the whole error of a row sum;
+//       in the open it shows only whether the sum is above 1
 template <class Prepared>
 class ExchangeMethod {
  public:
