@@ -45,8 +45,8 @@ struct GrayExchangeOptions {
 //       factors and reflectivities. With exact factors, and reflectivities up to 1 - 2^-50 and beyond, bounds are a few
 //       ulps wide. With enclosed ones they reach from the result of all lower ends to that of all upper ends; they are
 //       narrower if the matrix has closed rows (enclosed_radiosity.h).
-//       If some are estimated, script-F is that of the doubles: (1) and (2) hold as nearly as they do of the view factors, and the
-//       guarantee is kEstimated
+//       If some are estimated, script-F is that of the doubles: (1) and (2) hold as nearly as they do of
+//       the view factors, and the guarantee is kEstimated
 //   (5) the row and the column of a face with e = 0 are 0, even if all faces that it exchanges light with have e = 0
 //       and the light would be reflected for ever
 //   (6) no entry iff the real number is 0; the same bit for bit for any number of threads
