@@ -1,7 +1,7 @@
 // What a hand waits for that edits polygons in the window of `hottel view`: from an event to the frame that shows
 // light.
 //
-// A desk of 1280 x 800 pixels without a screen: a room with two boxes, and rooms of 16 and 48 boxes (102 and 294
+// A viewer of 1280 x 800 pixels without a screen: a room with two boxes, and rooms of 16 and 48 boxes (102 and 294
 // polygons). A box is taken and dragged along x in small steps, to and fro, and let go.
 //
 // The time of a case is the median from the event to the frame that shows coarse light of the scene as it is then.
@@ -26,7 +26,7 @@
 #include "kernel/support/stopwatch.h"
 #include "viewer/window/commands.h"
 #include "viewer/window/recording_window.h"
-#include "viewer/window/space/desk.h"
+#include "viewer/window/space/viewer.h"
 
 namespace hottel::benchmarks {
 namespace {
@@ -44,8 +44,8 @@ double share(std::vector<double> times, double fraction) {
 class Drag {
  public:
   explicit Drag(const std::string& file)
-      : window_({1280, 800}), desk_({file, [file] { return read_scene_3(file); }}, window_, {}, 1) {
-    desk_.settle(kPatience);
+      : window_({1280, 800}), viewer_({file, [file] { return read_scene_3(file); }}, window_, {}, 1) {
+    viewer_.settle(kPatience);
     mouse_ = piece_of_furniture();
     send(WindowEvent::Kind::kPress, {.ctrl = true});
     send(WindowEvent::Kind::kRelease, {.ctrl = true});
@@ -54,47 +54,47 @@ class Drag {
   void run() {
     send(WindowEvent::Kind::kPress, {.ctrl = true});
     send(WindowEvent::Kind::kMove);
-    desk_.handle(key_event("x"));
+    viewer_.handle(key_event("x"));
     for (int k = 0; k < kSteps; ++k) step(k % 8 < 4 ? 7 : -7);
-    const auto before = desk_.scene();
+    const auto before = viewer_.scene();
     Stopwatch watch;
     send(WindowEvent::Kind::kRelease);
-    until([&] { return !desk_.state().is_coarse && desk_.state().is_lit(); });
+    until([&] { return !viewer_.state().is_coarse && viewer_.state().is_lit(); });
     times_["full"].push_back(watch.lap());
   }
   std::map<std::string, std::vector<double>>& times() { return times_; }
 
  private:
   void send(WindowEvent::Kind kind, HeldKeys held = {}) {
-    desk_.handle({.kind = kind, .x = mouse_.x, .y = mouse_.y, .button = MouseButton::kLeft, .held = held});
+    viewer_.handle({.kind = kind, .x = mouse_.x, .y = mouse_.y, .button = MouseButton::kLeft, .held = held});
   }
 
   // A pixel at which a group of several polygons is seen that is not the room.
   Pixel piece_of_furniture() {
     for (double y = 600; y > 40; y -= 8)
       for (double x = 600; x < 1280; x += 8) {
-        const auto pick = desk_.editor().pick(desk_.camera().pointer({x, y}, {1280, 800}));
+        const auto pick = viewer_.editor().pick(viewer_.camera().pointer({x, y}, {1280, 800}));
         if (!pick) continue;
-        const std::uint32_t group = desk_.scene()->surfaces[pick->face.surface].group;
-        if (group_sizes(*desk_.scene())[group] > 1 && desk_.scene()->groups[group].name != "room") return {x, y};
+        const std::uint32_t group = viewer_.scene()->surfaces[pick->face.surface].group;
+        if (group_sizes(*viewer_.scene())[group] > 1 && viewer_.scene()->groups[group].name != "room") return {x, y};
       }
     throw RequestError("no furniture is seen");
   }
 
   void step(double pixels) {
     mouse_.x += pixels;
-    const auto before = desk_.scene();
+    const auto before = viewer_.scene();
     Stopwatch watch;
     send(WindowEvent::Kind::kMove);
     const double event = Stopwatch(watch).lap();
-    if (desk_.scene() == before) return;  // less than a decimal
+    if (viewer_.scene() == before) return;  // less than a decimal
     const auto is_there = [&] {
-      const LiveVersion3* version = desk_.state().version.get();
-      return version != nullptr && version->scene().polygons == desk_.scene()->polygons;
+      const LiveVersion3* version = viewer_.state().version.get();
+      return version != nullptr && version->scene().polygons == viewer_.scene()->polygons;
     };
     until(is_there);
     const double shape = Stopwatch(watch).lap();
-    until([&] { return is_there() && desk_.state().is_lit(); });
+    until([&] { return is_there() && viewer_.state().is_lit(); });
     times_["light"].push_back(Stopwatch(watch).lap());
     times_["event"].push_back(event);
     times_["shape"].push_back(shape);
@@ -104,7 +104,7 @@ class Drag {
   void until(const Condition& is_so) {
     Stopwatch watch;
     for (double waited = 0; waited < kPatience; waited += watch.lap()) {
-      const bool has_shown = desk_.update();
+      const bool has_shown = viewer_.update();
       if (is_so()) return;
       if (!has_shown) std::this_thread::sleep_for(std::chrono::microseconds(200));
     }
@@ -112,7 +112,7 @@ class Drag {
   }
 
   RecordingWindow window_;
-  Desk3 desk_;
+  Viewer3 viewer_;
   Pixel mouse_{};
   std::map<std::string, std::vector<double>> times_;
 };

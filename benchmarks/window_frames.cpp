@@ -1,31 +1,31 @@
-// What a frame of the window of `hottel view` costs, at 1280 x 800 pixels, for each look: everything is there, and is
-// drawn anew.
+// What a frame of the window of `hottel view` costs, at 1280 x 800 pixels, for each view mode: everything is there, and
+// is drawn anew.
 //
-// Counters, in ms: marks (what is drawn anew only where light, look or view change: the time but for what lies over
+// Counters, in ms: marks (what is drawn anew only where light, mode or view change: the time but for what lies over
 // it), overlay (what is drawn in each frame: the selection, texts, and the hand-over to the window).
 #include "benchmarks/window_hands.h"
-#include "viewer/window/plane/look.h"
+#include "viewer/window/plane/view_mode.h"
 
 namespace hottel::benchmarks {
 namespace {
 
-void frame(benchmark::State& state, const Room& room, Look2 look) {
+void frame(benchmark::State& state, const Room& room, ViewMode2 mode) {
   Hands hands(room);
-  Desk2& desk = hands.desk();
+  Viewer2& viewer = hands.viewer();
   hands.mouse(WindowEvent::Kind::kMove, {640, 400});
   hands.take_events();
-  desk.command(std::string("look ") + to_string(look));
-  desk.settle(kPatience);
+  viewer.command(std::string("look ") + to_string(mode));
+  viewer.settle(kPatience);
   Stopwatch watch;
   double whole = 0, overlay = 0;
   for (auto _ : state) {
-    desk.handle({.kind = WindowEvent::Kind::kFocus});
+    viewer.handle({.kind = WindowEvent::Kind::kFocus});
     watch.lap();
-    desk.update();
+    viewer.update();
     overlay += watch.lap();
-    desk.handle({.kind = WindowEvent::Kind::kResize});
+    viewer.handle({.kind = WindowEvent::Kind::kResize});
     watch.lap();
-    desk.update();
+    viewer.update();
     const double seconds = watch.lap();
     whole += seconds;
     state.SetIterationTime(seconds);
@@ -40,13 +40,13 @@ void frame(benchmark::State& state, const Room& room, Look2 look) {
 
 int main(int argc, char** argv) {
   using namespace hottel::benchmarks;
-  using hottel::Look2;
+  using hottel::ViewMode2;
   const Folder folder("window-frames");
   std::vector<Room> rooms{apartment()};
   for (const std::uint64_t edges : {200, 2000}) rooms.push_back(room_of("room", furnished(edges), folder));
   for (const Room& room : rooms)
-    for (const Look2 look :
-         {Look2::kLight, Look2::kFloor, Look2::kBands, Look2::kVisibility, Look2::kErrors, Look2::kCheck, Look2::kPlan})
-      add_case(room.name + "/" + to_string(look), [=](benchmark::State& state) { frame(state, room, look); });
+    for (const ViewMode2 mode : {ViewMode2::kLight, ViewMode2::kFloor, ViewMode2::kBands, ViewMode2::kVisibility,
+                                 ViewMode2::kErrors, ViewMode2::kCheck, ViewMode2::kPlan})
+      add_case(room.name + "/" + to_string(mode), [=](benchmark::State& state) { frame(state, room, mode); });
   return run(argc, argv);
 }

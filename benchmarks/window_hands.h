@@ -1,4 +1,4 @@
-// A desk without a screen, and hands: what the benchmarks of the window share.
+// A viewer without a screen, and hands: what the benchmarks of the window share.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
-#include "viewer/window/plane/desk.h"
+#include "viewer/window/plane/viewer.h"
 #include "viewer/window/recording_window.h"
 
 namespace hottel::benchmarks {
@@ -46,17 +46,17 @@ inline Room apartment() {
   return {"apartment/edges:" + std::to_string(read_scene_2(file).edges.size()), file, {}};
 }
 
-// A desk of 1280 x 800 pixels that shows light, and what a mouse and a keyboard do to it.
+// A viewer of 1280 x 800 pixels that shows light, and what a mouse and a keyboard do to it.
 class Hands {
  public:
-  explicit Hands(const Room& room) : window_({1280, 800}), desk_(room.file, window_, room.request, 1) {
-    desk_.command("look light");
-    desk_.settle(kPatience);
+  explicit Hands(const Room& room) : window_({1280, 800}), viewer_(room.file, window_, room.request, 1) {
+    viewer_.command("look light");
+    viewer_.settle(kPatience);
   }
 
-  Desk2& desk() { return desk_; }
-  const Scene2& scene() const { return *desk_.editor().scene(); }
-  const LiveState2& state() const { return desk_.looks().state(); }
+  Viewer2& viewer() { return viewer_; }
+  const Scene2& scene() const { return *viewer_.editor().scene(); }
+  const LiveState2& state() const { return viewer_.views().state(); }
 
   // An event comes; it is taken by until_lit() or take_events().
   void push(WindowEvent event) {
@@ -72,10 +72,10 @@ class Hands {
     Stopwatch watch;
     for (auto event = window_.next(seconds); event; event = window_.next(0)) {
       watch.lap();
-      desk_.handle(*event);
+      viewer_.handle(*event);
       if (event->kind != WindowEvent::Kind::kWake) seconds_of_event_ = watch.lap();
     }
-    desk_.update();
+    viewer_.update();
   }
 
   // Runs until a frame shows light of the scene as it is, on the whole grid where that is asked for. Returns the
@@ -84,7 +84,7 @@ class Hands {
     Stopwatch watch;
     for (double waited = 0; waited < kPatience; waited += watch.lap()) {
       take_events(0.05);
-      const bool is_there = state().scene == desk_.editor().scene();
+      const bool is_there = state().scene == viewer_.editor().scene();
       if (is_there && !state().light) return std::nullopt;
       if (is_there && (depth == LiveDepth2::kCoarse || state().depth == depth)) return Stopwatch(since_push_).lap();
     }
@@ -95,7 +95,7 @@ class Hands {
 
  private:
   RecordingWindow window_;
-  Desk2 desk_;
+  Viewer2 viewer_;
   Stopwatch since_push_;
   double seconds_of_event_ = 0;
 };

@@ -1,6 +1,6 @@
 // What a hand waits for: from an event in the window of `hottel view` to the frame that shows its light.
 //
-// A desk on a window without a screen is fed as a mouse and a keyboard feed it, one event at a time. Scenes: furnished
+// A viewer without a screen gets the events of a mouse and a keyboard, one at a time. Scenes: furnished
 // rooms of 50 to 5,000 edges and clutter with long views, on a grid of 256 x 192 cells (coarse: 64 x 48), and the
 // apartment on its own of 516 x 388. Edits:
 //
@@ -162,10 +162,10 @@ class Case {
       surface_ = nearest_to_middle(scene, grid, [&](std::uint32_t s) { return is_movable(scene, s, wide / 4); });
     }
     const double length = sides(scene, scene.surfaces[surface_].group).first;
-    const Pixel a = hands_.desk().pixel_of({0, 0}), b = hands_.desk().pixel_of({length, 0});
+    const Pixel a = hands_.viewer().pixel_of({0, 0}), b = hands_.viewer().pixel_of({length, 0});
     home_ = held();
     if (b.x - a.x >= kHeldPixels) return;
-    const Pixel at = hands_.desk().pixel_of(home_);
+    const Pixel at = hands_.viewer().pixel_of(home_);
     hands_.push(
         {.kind = Kind::kWheel, .x = at.x, .y = at.y, .wheel = std::log(kHeldPixels / (b.x - a.x)) / std::log(1.2)});
     hands_.take_events();
@@ -178,7 +178,7 @@ class Case {
 
   // Until nothing runs any more.
   void rest() {
-    hands_.desk().settle(kPatience);
+    hands_.viewer().settle(kPatience);
     std::this_thread::sleep_for(std::chrono::duration<double>(std::max(kRest, 2 * hands_.state().seconds)));
     hands_.take_events();
   }
@@ -187,13 +187,13 @@ class Case {
   Pixel around_home(int k) {
     const int place = k % 24 + (k % 24 >= 12 ? 1 : 0);
     const double step = std::pow(10, -decimals_at(pixels_per_length()));
-    return hands_.desk().pixel_of({home_[0] + (place % 5 - 2) * step, home_[1] + (place / 5 - 2) * step});
+    return hands_.viewer().pixel_of({home_[0] + (place % 5 - 2) * step, home_[1] + (place / 5 - 2) * step});
   }
-  double pixels_per_length() { return hands_.desk().pixel_of({1, 0}).x - hands_.desk().pixel_of({0, 0}).x; }
+  double pixels_per_length() { return hands_.viewer().pixel_of({1, 0}).x - hands_.viewer().pixel_of({0, 0}).x; }
 
   void change_material(int k) {
     const Edge2& edge = hands_.scene().edges[surface_];
-    const Pixel a = hands_.desk().pixel_of(start(edge)), b = hands_.desk().pixel_of(middle(edge));
+    const Pixel a = hands_.viewer().pixel_of(start(edge)), b = hands_.viewer().pixel_of(middle(edge));
     const double length = std::hypot(b.x - a.x, b.y - a.y);
     hands_.mouse(Kind::kMove, {b.x - 2 * (b.y - a.y) / length, b.y + 2 * (b.x - a.x) / length});  // at its front
     hands_.take_events();
@@ -222,13 +222,13 @@ class Case {
   }
 
   void press(HeldKeys held_keys) {
-    const Pixel at = hands_.desk().pixel_of(held());
+    const Pixel at = hands_.viewer().pixel_of(held());
     hands_.mouse(Kind::kMove, at, held_keys);
     hands_.mouse(Kind::kPress, at, held_keys);
     hands_.take_events();
   }
   void release() {
-    hands_.mouse(Kind::kRelease, hands_.desk().pixel_of(held()), {});
+    hands_.mouse(Kind::kRelease, hands_.viewer().pixel_of(held()), {});
     hands_.take_events();
   }
 
@@ -263,7 +263,7 @@ class Case {
     times_.add("radiosity", seconds_in(state.radiosities->seconds));
     times_.add("light", state.light->seconds);
     Stopwatch watch;
-    first_texture_2(state, hands_.desk().looks().tone());
+    first_texture_2(state, hands_.viewer().views().tone());
     times_.add("texture", watch.lap());
     return true;
   }

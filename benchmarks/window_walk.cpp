@@ -12,33 +12,33 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/stopwatch.h"
 #include "viewer/window/recording_window.h"
-#include "viewer/window/space/desk.h"
+#include "viewer/window/space/viewer.h"
 
 namespace hottel::benchmarks {
 namespace {
 
 constexpr double kPatience = 600;  // seconds, for light
 
-// A desk with the light of the scene on it.
+// A viewer with the light of the scene on it.
 class Walk {
  public:
   Walk(const std::string& file, std::uint32_t n)
       : window_({1280, 800}),
-        desk_({file,
-               [file, n] {
-                 Scene3 scene = read_scene_3(file);
-                 divide_into(scene, n);
-                 return scene;
-               }},
-              window_, {}, 1) {
-    desk_.settle(kPatience);
+        viewer_({file,
+                 [file, n] {
+                   Scene3 scene = read_scene_3(file);
+                   divide_into(scene, n);
+                   return scene;
+                 }},
+                window_, {}, 1) {
+    viewer_.settle(kPatience);
   }
-  Desk3& desk() { return desk_; }
-  double elements() const { return desk_.state().version->model().table().count(); }
+  Viewer3& viewer() { return viewer_; }
+  double elements() const { return viewer_.state().version->model().table().count(); }
 
  private:
   RecordingWindow window_;
-  Desk3 desk_;
+  Viewer3 viewer_;
 };
 
 void orbit(benchmark::State& state, const std::string& file, std::uint32_t n) {
@@ -47,8 +47,8 @@ void orbit(benchmark::State& state, const std::string& file, std::uint32_t n) {
   double seconds = 0;
   for (auto _ : state) {
     watch.lap();
-    walk.desk().command("orbit left");
-    walk.desk().update();
+    walk.viewer().command("orbit left");
+    walk.viewer().update();
     const double taken = watch.lap();
     seconds += taken;
     state.SetIterationTime(taken);
@@ -66,10 +66,10 @@ void emission(benchmark::State& state, const std::string& file, std::uint32_t n)
   for (auto _ : state) {
     watch.lap();
     const std::string text = "lamp emission " + std::to_string(1 + ++k % 50);
-    walk.desk().do_own_step({"material", {"lamp", "emission"}, text, 1});
-    walk.desk().settle(kPatience);
+    walk.viewer().do_own_step({"material", {"lamp", "emission"}, text, 1});
+    walk.viewer().settle(kPatience);
     state.SetIterationTime(watch.lap());
-    light += walk.desk().state().version->seconds();
+    light += walk.viewer().state().version->seconds();
   }
   state.counters["elements"] = walk.elements();
   state.counters["frames"] = 0;

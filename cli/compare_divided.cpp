@@ -27,7 +27,7 @@ void require_divisions(const CompareOptions& options) {
   if (std::ranges::adjacent_find(options.divide, std::greater_equal()) != options.divide.end())
     throw UsageError("--divide takes ascending numbers of elements");
   if (options.plot_x == PlotX::kParameter)
-    throw UsageError("--plot-x parameter is not of --divide: it takes time or elements");
+    throw UsageError("--plot-x parameter is not for --divide: it takes time or elements");
 }
 
 // The methods to run besides exact, which is always there, first.

@@ -22,8 +22,8 @@ namespace {
 void require_cells(const ExternalGrid& grid, std::uint32_t nx, std::uint32_t ny) {
   if (grid.nx == nx && grid.ny == ny) return;
   throw InputError({grid.file, 0},
-                   fmt::format("is of the shape ({}, {}), and the grid of the scene of ({}, {}){}", grid.ny, grid.nx,
-                               ny, nx, grid.nx == ny && grid.ny == nx ? ": the axes are exchanged" : ""),
+                   fmt::format("has the shape ({}, {}), and the grid of the scene ({}, {}){}", grid.ny, grid.nx, ny, nx,
+                               grid.nx == ny && grid.ny == nx ? ": the axes are exchanged" : ""),
                    {"(ny, nx): rows along the first index, the lowest first"});
 }
 

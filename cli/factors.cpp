@@ -52,14 +52,14 @@ void require_sense_of_digits(const FactorsOptions& options) {
   if (!options.digits) return;
   if (options.wants_exact_form) throw UsageError("--digits rounds numbers, and --exact-form has none");
   if (options.format() != FactorFormat::kCsv)
-    throw UsageError("--digits is of csv: '" + options.out + "' holds numbers as they are");
+    throw UsageError("--digits is for csv: '" + options.out + "' holds numbers as they are");
   if (options.json && options.out.empty())
     throw UsageError("with --json the factors need a file: --digits wants -o FILE");
 }
 
 void require_sense_of_rows(const FactorsOptions& options) {
   if (options.rows.empty()) return;
-  if (options.wants_exact_form) throw UsageError("--rows is of view factors: --exact-form A B chooses pairs");
+  if (options.wants_exact_form) throw UsageError("--rows is for view factors: --exact-form A B chooses pairs");
   if (!options.lists_pairs())
     throw UsageError("--rows says which rows are listed: --matrix, .npy, .txt and .bin hold all");
   if (options.json && options.out.empty())
@@ -69,7 +69,7 @@ void require_sense_of_rows(const FactorsOptions& options) {
 void require_sense_of_folders(const FactorsOptions& options) {
   if (!options.sums.is_given() || needs_rows_alone(options)) return;
   throw UsageError(std::string(options.sums.name()) +
-                   " is of lists of pairs (.csv, .mtx, .h5) by the method exact: without --store, --matrix, --pairs, "
+                   " is for lists of pairs (.csv, .mtx, .h5) by the method exact: without --store, --matrix, --pairs, "
                    "--picture, --script-f and --exact-form, and --json with -o FILE");
 }
 
@@ -78,7 +78,7 @@ void require_sense(const FactorsOptions& options) {
   if (options.scene.empty()) throw UsageError("factors needs a scene");
   if (!options.is_exact() &&
       (options.script_f || options.wants_exact_form || options.matrix == "visibility" || options.pairs == "facing"))
-    throw UsageError("--script-f, --exact-form, --matrix visibility and --pairs facing are of the method exact");
+    throw UsageError("--script-f, --exact-form, --matrix visibility and --pairs facing are for the method exact");
   if (options.tolerance) {
     const auto tolerance = parse_rational(*options.tolerance);
     if (!tolerance || *tolerance <= 0)

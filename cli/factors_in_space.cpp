@@ -22,14 +22,14 @@ namespace {
 
 void require_what_space_has(const FactorsOptions& options) {
   if (options.wants_exact_form && options.granularity != "face")
-    throw UsageError("--exact-form in space is of whole faces, --per face, not --per " + options.granularity);
+    throw UsageError("--exact-form in space is for whole faces, --per face, not --per " + options.granularity);
   if (!options.picture.empty())
     throw UsageError(
         "--picture and --toward draw scenes in the plane; in space `hottel solve --show factor:NAME` or "
         "`--show sky` does");
   if (options.is_exact()) return;
   const auto refuse_of = [&options](const std::string& option) {
-    throw UsageError(option + " is of the method exact only, not of " + options.method);
+    throw UsageError(option + " is for the method exact only, not for " + options.method);
   };
   if (options.tolerance) refuse_of("--tolerance");
   options.guarantee.refuse_of_method(options.method);

@@ -17,7 +17,7 @@ void GuaranteeOption::refuse_in_plane() const {
 }
 
 void GuaranteeOption::refuse_of_method(const std::string& method) const {
-  if (asked) throw UsageError("--guarantee is of the method exact only, not of " + method);
+  if (asked) throw UsageError("--guarantee is for the method exact only, not for " + method);
 }
 
 }  // namespace hottel

@@ -85,9 +85,9 @@ PlanRequest light_of(const PlanOptions& options, const Scene3& scene, std::uint6
   PlanRequest request{.grid_cells = cells,
                       .is_average = options.illumination == "average",
                       .is_gathered = options.shading == "gathered"};
-  if (options.illumination == "inverse-square") throw UsageError("--illumination inverse-square is of the plane");
+  if (options.illumination == "inverse-square") throw UsageError("--illumination inverse-square is for the plane");
   if (options.illumination != PlanOptions().illumination && cells == 0)
-    throw UsageError("--illumination is of light on a grid, and " + options.scene + " has none");
+    throw UsageError("--illumination is for light on a grid, and " + options.scene + " has none");
   refuse_averages_in_volumes(options.illumination, scene);
   if (options.texels.empty()) return request;
   const TexelOption asked = texel_option(options.texels);

@@ -68,7 +68,7 @@ SeenFormat3 format_of(const SeenRequest3& request) {
   const auto format = is_file ? seen_format_3(request.out) : SeenFormat3::kCsv;
   if (!format) throw UsageError("what points in space see is written as .csv, .npz or .vtu, not '" + request.out + "'");
   if (request.has_pieces && *format != SeenFormat3::kNpz)
-    throw UsageError("--pieces are of a .npz: a .vtu always has them, a csv never");
+    throw UsageError("--pieces are for a .npz: a .vtu always has them, a csv never");
   if (request.has_bounds && *format == SeenFormat3::kVtu)
     throw UsageError("--guarantee enclosed gives bounds to a .csv or a .npz, not to a .vtu");
   return *format;

@@ -33,7 +33,7 @@ void PolygonOptions::add_front_to(CLI::App& command) {
 
 void PolygonOptions::require_sense_for(const std::string& file) const {
   if (front != "inside" && !is_map_2(file) && file != kStandardInput)
-    throw UsageError("--front is of the polygons of a map (.geojson, .wkt)");
+    throw UsageError("--front is for the polygons of a map (.geojson, .wkt)");
 }
 
 void note_passed_over(const PassedOver& passed_over, const Streams& streams) {

@@ -24,7 +24,7 @@ namespace {
 
 Face face_with_form(const Scene3& scene, const std::string& name) {
   if (name == "sky")
-    throw UsageError("--exact-form in space is of two faces: what is seen of the sky has no closed form");
+    throw UsageError("--exact-form in space is for two faces: what is seen of the sky has no closed form");
   return face_of(scene, name);
 }
 

@@ -13,7 +13,7 @@ void SkyOption::add_to(CLI::App& command) {
 }
 
 SkyBy SkyOption::in_space(const std::string& method) const {
-  if (!by.empty() && method != "exact") throw UsageError("--sky is of the method exact only, not of " + method);
+  if (!by.empty() && method != "exact") throw UsageError("--sky is for the method exact only, not for " + method);
   return by == "closure" ? SkyBy::kClosure : SkyBy::kIntegral;
 }
 

@@ -68,7 +68,7 @@ void require_sense_of_sums(const SolveOptions& options) {
   const bool is_fit = options.solver == "auto" || options.solver == "cg";
   if (options.method != "exact" || !is_fit || options.store.is_given() || options.levels.levels().is_any())
     throw UsageError(std::string(options.sums.name()) +
-                     " is of the method exact with --solver auto or cg, without --store and --levels");
+                     " is for the method exact with --solver auto or cg, without --store and --levels");
 }
 
 Request request_of(const SolveOptions& options) {
@@ -152,7 +152,7 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
   if (renders_array(options))
     throw UsageError("--render writes numbers of scenes in space: in the plane they are in illumination.npy");
   if (request.shown.is_light() && options.shading != "flat")
-    throw UsageError("--shading in the plane is of the values of --show: light between the faces has no elements");
+    throw UsageError("--shading in the plane is for the values of --show: light between the faces has no elements");
   if (!request.shown.is_light() && options.size > 0 && options.size < kMinPictureWidth)
     throw UsageError(fmt::format("--size of --show {} is {} at least", options.show, kMinPictureWidth));
   const bool has_own_grids = !scene.grids.empty();

@@ -58,10 +58,10 @@ void require_grid(const SolveOptions& options, const Scene3& scene) {
   require_sense_of_volumes(options, scene);
   if (!scene.grids.empty()) return;
   if (options.illumination != SolveOptions().illumination)
-    throw UsageError("--illumination is of light on a grid, and " + options.scene + " has none");
+    throw UsageError("--illumination is for light on a grid, and " + options.scene + " has none");
   if (options.contours > 0)
     throw UsageError("--contours are lines in the picture of a grid, and " + options.scene + " has none");
-  if (options.exr) throw UsageError("--exr is of light on a grid, and " + options.scene + " has none");
+  if (options.exr) throw UsageError("--exr is for light on a grid, and " + options.scene + " has none");
   if (!options.views.empty())
     throw UsageError("--views is what the cells of a grid see, and " + options.scene + " has none");
 }
@@ -70,16 +70,16 @@ void require_what_space_has(const SolveOptions& options) {
   const auto refuse = [](const std::string& option) { throw UsageError(option + " is only for scenes in the plane"); };
   const SolveOptions usual;
   if (options.method != usual.method) {
-    if (options.tolerance) throw UsageError("--tolerance is of the method exact only, not of " + options.method);
+    if (options.tolerance) throw UsageError("--tolerance is for the method exact only, not for " + options.method);
     options.guarantee.refuse_of_method(options.method);
   }
   if (options.illumination == "inverse-square") refuse("--illumination inverse-square");
   if (options.contours > 0 && options.show != usual.show && !is_of_points(shown_by(options.show)))
-    throw UsageError("--contours are of what a grid shows, light, " + words_to_show_at_points() + ", not of " +
+    throw UsageError("--contours are for what a grid shows, light, " + words_to_show_at_points() + ", not for " +
                      options.show);
   if (options.shading == "gathered" && !options.render.empty() && !renders_numbers(options) &&
       picture_format(options.render) != PictureFormat::kPng)
-    throw UsageError("gathered light is of pixels: --render writes it as .png, not '" + options.render + "'");
+    throw UsageError("gathered light has no shapes: --render writes it as .png, not '" + options.render + "'");
   if (options.no_outlines && options.show == usual.show)
     throw UsageError("--no-outlines goes with --show of something else than light, which has none");
 }

@@ -16,7 +16,7 @@ void SumsOption::add_to(CLI::App& command, const std::string& what) {
 }
 
 void SumsOption::refuse_in_space() const {
-  if (is_given()) throw UsageError("--out-of-core and --checkpoint are of scenes in the plane");
+  if (is_given()) throw UsageError("--out-of-core and --checkpoint are for scenes in the plane");
 }
 
 void SumsOption::tell(std::uint64_t bytes, const Streams& streams) const {

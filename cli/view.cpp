@@ -14,11 +14,11 @@
 #include "io/files/text_file.h"
 #include "kernel/support/failure.h"
 #include "viewer/picture/png_file.h"
-#include "viewer/window/plane/desk.h"
+#include "viewer/window/plane/viewer.h"
 #include "viewer/window/recording_window.h"
 #include "viewer/window/script_player.h"
 #include "viewer/window/sdl_window.h"
-#include "viewer/window/space/desk.h"
+#include "viewer/window/space/viewer.h"
 
 namespace hottel {
 namespace {
@@ -58,21 +58,21 @@ class FrameFiles {
   int count_ = 0;
 };
 
-// The words of a kind of looks, one of which has to be asked for.
-template <class Look>
-void require_look(const std::string& look, int count) {
+// The words of the view modes of one dimension, one of which must be asked for.
+template <class Mode>
+void require_view_mode(const std::string& look, int count) {
   std::vector<std::string> known;
-  for (int k = 0; k < count; ++k) known.push_back(to_string(static_cast<Look>(k)));
+  for (int k = 0; k < count; ++k) known.push_back(to_string(static_cast<Mode>(k)));
   if (std::ranges::find(known, look) == known.end())
     throw UnknownName("there is nothing to look at called '" + look + "'", look, known);
 }
 
-// The desk of the scene, whatever its dimension. Its file is read, and may be read again.
-std::unique_ptr<Desk> desk_of(const ViewOptions& options, Window& window, const Streams& streams) {
-  std::unique_ptr<Desk> desk;
+// The viewer of the scene, whatever its dimension. Its file is read, and may be read again.
+std::unique_ptr<Viewer> viewer_of(const ViewOptions& options, Window& window, const Streams& streams) {
+  std::unique_ptr<Viewer> viewer;
   Scene scene = read_scene_noting(options.scene, options.polygons, streams);
   if (Scene3* const space = std::get_if<Scene3>(&scene)) {
-    require_look<LookKind3>(options.look, kLooks3);
+    require_view_mode<ViewMode3>(options.look, kViewModes3);
     // The scene that has been read is the first one.
     const auto first = std::make_shared<std::optional<Scene3>>(std::move(*space));
     const auto read = [file = options.scene, elements = options.elements, first] {
@@ -86,19 +86,19 @@ std::unique_ptr<Desk> desk_of(const ViewOptions& options, Window& window, const 
       options.elements.apply_to(divided);
       require_room_for_solving(divided, options.memory);
     }
-    desk = std::make_unique<Desk3>(DeskSource3{options.scene, read}, window,
-                                   FactorsRequest3{.memory = options.memory.value_or(0)}, options.scale);
+    viewer = std::make_unique<Viewer3>(ViewerSource3{options.scene, read}, window,
+                                       FactorsRequest3{.memory = options.memory.value_or(0)}, options.scale);
   } else {
-    require_look<Look2>(options.look, kLooks2);
+    require_view_mode<ViewMode2>(options.look, kViewModes2);
     if (options.elements.is_given())
       throw UsageError("--elements and --element-size divide the polygons of scenes in space; " + options.scene +
                        " is in the plane");
     require_room_for_solving(std::get<Scene2>(scene), options.memory);
-    desk = std::make_unique<Desk2>(options.scene, window, SimulationRequest2{.memory = options.memory.value_or(0)},
-                                   options.scale, std::get<Scene2>(std::move(scene)), options.polygons.side());
+    viewer = std::make_unique<Viewer2>(options.scene, window, SimulationRequest2{.memory = options.memory.value_or(0)},
+                                       options.scale, std::get<Scene2>(std::move(scene)), options.polygons.side());
   }
-  desk->command("look " + options.look);
-  return desk;
+  viewer->command("look " + options.look);
+  return viewer;
 }
 
 // Without a screen: plays the script, if there is one, and writes what is asked for.
@@ -109,14 +109,14 @@ ExitCode play(const ViewOptions& options, Streams& streams) {
   const std::string name = options.script == "-" ? "standard input" : options.script;
   const std::vector<ScriptStep> steps = parse_script(text, name);
   RecordingWindow window(size_of(options));
-  const std::unique_ptr<Desk> desk = desk_of(options, window, streams);
+  const std::unique_ptr<Viewer> viewer = viewer_of(options, window, streams);
   std::optional<FrameFiles> frames;
   ScriptOutputs outputs{.print = [&streams](const std::string& line) { streams.write("", line + "\n"); }};
   if (!options.record.empty()) {
     frames.emplace(options.record);
     outputs.frame = [&frames](const Raster& frame) { frames->write(frame); };
   }
-  play_script(steps, name, *desk, window, outputs);
+  play_script(steps, name, *viewer, window, outputs);
   if (!options.screenshot.empty()) save_screenshot(window.frame(), options.screenshot);
   if (frames)
     streams.note(fmt::format("{} frames, {} a second, in {}", frames->count(), kFramesPerSecond, options.record));
@@ -132,8 +132,8 @@ ExitCode view(const ViewOptions& options, Streams& streams) {
     throw UsageError("a recording is many files: --record takes a folder, not standard output");
   if (!options.script.empty() || !options.screenshot.empty() || !options.record.empty()) return play(options, streams);
   const std::unique_ptr<Window> window = open_window("hottel", size_of(options));
-  const std::unique_ptr<Desk> desk = desk_of(options, *window, streams);
-  run_desk(*desk, *window, kSecondsBetweenLooks);
+  const std::unique_ptr<Viewer> viewer = viewer_of(options, *window, streams);
+  run_viewer(*viewer, *window, kSecondsBetweenLooks);
   return ExitCode::kDone;
 }
 

@@ -231,9 +231,9 @@ ExitCode light_at_points(const VisibilityOptions& options, OrientedPointsInput i
                                          {options.exact, "--exact"},
                                          {options.pieces, "--pieces"},
                                          {options.side != VisibilityOptions().side, "--side"}})
-    if (is_given) throw UsageError(std::string(option) + " is of polygons; points with normals have none");
+    if (is_given) throw UsageError(std::string(option) + " is for polygons; points with normals have none");
   if (options.guarantee.asked)
-    throw UsageError("--guarantee is of what points see; the light at points with normals has no proven bounds");
+    throw UsageError("--guarantee is for what points see; the light at points with normals has no proven bounds");
   write_oriented_light(input, read_scene_noting(options.scene, options.polygons, streams), streams);
   return ExitCode::kDone;
 }
@@ -245,7 +245,7 @@ ExitCode faces_at_points(const VisibilityOptions& options, const std::string& te
                                          {options.exact, "--exact"},
                                          {options.irradiance, "--irradiance"},
                                          {options.side != VisibilityOptions().side, "--side"}})
-    if (is_given) throw UsageError(std::string(option) + " is of points in the plane; these have three coordinates");
+    if (is_given) throw UsageError(std::string(option) + " is for points in the plane; these have three coordinates");
   const Scene scene = read_scene_noting(options.scene, options.polygons, streams);
   const auto* const space = std::get_if<Scene3>(&scene);
   if (space == nullptr)
@@ -262,8 +262,8 @@ ExitCode from_points(const VisibilityOptions& options, Streams& streams) {
   if (are_points_3(text)) return faces_at_points(options, text, name, streams);
   options.guarantee.refuse_in_plane();
   if (options.polygons.triangulates)
-    throw UsageError("--triangulate cuts polygons in space; points without normals are of the plane");
-  if (options.pieces) throw UsageError("--pieces are of what points in space see; these are of the plane");
+    throw UsageError("--triangulate cuts polygons in space; points without normals are for the plane");
+  if (options.pieces) throw UsageError("--pieces are for what points in space see; these are in the plane");
   const PolygonRequest request = polygon_request(options, text, name);
   note_passed_over(request.passed_over, streams);
   const Simulation2 simulation = simulation_of(options, streams);
@@ -284,7 +284,7 @@ ExitCode from_edge(const VisibilityOptions& options, Streams& streams) {
   if (options.edge == "sky") throw UsageError("--edge is a face, which the sky is not");
   Scene scene = read_scene_noting(options.scene, options.polygons, streams);
   if (std::holds_alternative<Scene3>(scene))
-    throw UsageError("--edge is of scenes in the plane; in space --face NAME tells what some point of a face sees");
+    throw UsageError("--edge is for scenes in the plane; in space --face NAME tells what some point of a face sees");
   const auto prepared = simulation_of(std::get<Scene2>(std::move(scene))).prepared(streams.stages());
   const Face face = face_of(prepared->scene, options.edge);
   require_free(*prepared, face);
@@ -298,7 +298,7 @@ ExitCode from_face_in_space(const VisibilityOptions& options, Streams& streams) 
   if (is_file(options.out)) throw UsageError("--face writes to standard output, not to '" + options.out + "'");
   Scene scene = read_scene_noting(options.scene, options.polygons, streams);
   if (std::holds_alternative<Scene2>(scene))
-    throw UsageError("--face is of scenes in space; in the plane --edge NAME tells what some point of an edge sees");
+    throw UsageError("--face is for scenes in space; in the plane --edge NAME tells what some point of an edge sees");
   write_face_sight(options.face, options.json, Simulation3(std::get<Scene3>(std::move(scene))), streams);
   return ExitCode::kDone;
 }
@@ -315,7 +315,7 @@ ExitCode events(const VisibilityOptions& options, Streams& streams) {
     write_events_3(request, Simulation3(std::move(*there)), streams);
     return ExitCode::kDone;
   }
-  if (options.is_pair()) throw UsageError("--events with --from A and --to B is of scenes in space");
+  if (options.is_pair()) throw UsageError("--events with --from A and --to B is for scenes in space");
   const SceneLines lines = scene_lines(options);
   require_sense(lines, "critical lines are");
   write_events(lines, *simulation_of(std::get<Scene2>(std::move(scene))).prepared(streams.stages()), streams);
@@ -389,7 +389,7 @@ ExitCode in_space(const VisibilityOptions& options, Scene3 scene, std::optional<
 
 ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
   if (options.polygons.triangulates && !options.edge.empty())
-    throw UsageError("--triangulate cuts polygons in space; --edge is of the plane");
+    throw UsageError("--triangulate cuts polygons in space; --edge is for the plane");
   if (!options.points.empty()) return from_points(options, streams);
   if (options.no_irradiance && (options.at.empty() || !options.on.empty())) throw UsageError(kWhereNoIrradiance);
   if (!options.edge.empty()) return from_edge(options, streams);

@@ -34,7 +34,7 @@ void require_sense_of_volumes(const SolveOptions& options, const Scene3& scene) 
   if (scene.grids.empty() || !std::ranges::all_of(scene.grids, &Grid3::is_volume)) return;
   if (options.contours > 0)
     throw UsageError("--contours are lines in the picture of a planar grid, and " + options.scene + " has none");
-  if (options.exr) throw UsageError("--exr is of light on a planar grid, and " + options.scene + " has none");
+  if (options.exr) throw UsageError("--exr is for light on a planar grid, and " + options.scene + " has none");
 }
 
 VolumeFiles::VolumeFiles(const Shown& shown, const Grid3& where, SolveFiles& files)

@@ -1,4 +1,4 @@
-// View factors of a scene: where every method, exact or approximate, ends, and where radiosity begins.
+// View factors of a scene: what every method, exact or approximate, returns, and what radiosities are computed from.
 //
 //   const Simulation2 simulation(read_scene_2("scenes/analytic/strip_obstructed.json"));
 //   const auto factors = simulation.factors();
@@ -24,18 +24,18 @@ namespace hottel {
 
 // View factors F_ij by rows, sparse.
 //
-//   (1) rows ascend by `to`; the sky is the last column, index sky()
+//   (1) the entries of a row ascend by `to`; the sky is the last column, index sky()
 //   (2) an entry that is kExact is correctly rounded, its enclosure at most one ulp wide; where both entries of a pair
 //       are kExact, the two real numbers that they round satisfy A_i F_ij = A_j F_ji
-//   (3) where an entry is kEnclosed, the real factor and the double lie within bounds()
-//   (4) where an entry is kEstimated, the real factor lies within bounds(); the double is an estimate and not proven
+//   (3) where an entry is kEnclosed, bounds() contain the real factor and the double
+//   (4) where an entry is kEstimated, bounds() contain the real factor; the double is an estimate without proof
 //   (5) only elements with a material and an area have a row; pairs that exchange nothing have no entry. That a pair
 //       without entry exchanges nothing is proven, unless all entries are estimated
 //   (6) where has_closed_rows(), the real factors of each row sum to 1, the sky included
 //   (7) rows are compressed: entry k of row i stands at begins()[i] + k of columns(), factors(), visibilities(), and of
-//       measures, bounds and guarantees where there are some
-// COST: 20 bytes per entry, two entries per visible pair of elements with materials. Per entry 1 byte more where
-// entries are exact, 8 with measures, 16 with bounds, 1 where guarantees differ between entries.
+//       measures, bounds and guarantees if the matrix has these
+// COST: 20 bytes per entry, two entries per visible pair of elements with materials. Each entry takes 1 byte more if
+// entries are exact, 8 with measures, 16 with bounds, 1 if guarantees differ between entries.
 class ExchangeMatrix {
  public:
   // At most, without measures, bounds and guarantees.
@@ -73,18 +73,18 @@ class ExchangeMatrix {
             entries_.sides_.empty() ? nullptr : entries_.sides_.data() + b, entries_.visibilities_.data() + b,
             begin_[i + 1] - b};
   }
-  // True iff promise_closed_rows() was called: whoever made the matrix promises (6). Exact factors need no promise: the
+  // True iff promise_closed_rows() was called: the maker of the matrix promises (6). Exact factors need no promise: the
   // real numbers that they round sum to 1 in any case.
   bool has_closed_rows() const { return has_closed_rows_; }
   void promise_closed_rows() { has_closed_rows_ = true; }
   std::size_t entry_count() const { return entries_.size(); }
 
-  // The arrays, for those who take them as they are (scipy.sparse, HDF5, PETSc). They live as long as the matrix.
+  // The arrays themselves, for scipy.sparse, HDF5, PETSc and the like. They live as long as the matrix.
   std::span<const std::size_t> begins() const { return begin_; }  // size() + 1 of them
   std::span<const std::uint32_t> columns() const { return entries_.columns_; }
   std::span<const double> factors() const { return entries_.factors_; }
   std::span<const double> visibilities() const { return entries_.visibilities_; }
-  // Where they stand: null for the heap. What is as large as they are is to stand there too.
+  // Where the arrays are stored: null for the heap. What is as large as they are should be stored there too.
   const std::shared_ptr<const FolderMemory>& memory() const { return memory_; }
 
   // S(from, to), correctly rounded, for each entry of the row; empty unless it was asked for.
@@ -106,15 +106,15 @@ class ExchangeMatrix {
 
   // Fills the matrix: entries by rows, row i in [begin[i], begin[i + 1]). Measures, bounds and guarantees are lists
   // with one member for each entry, or empty. Without guarantees every entry has that of the constructor. Bounds are
-  // needed where an entry is enclosed, and not looked at where it is exact. Throws ContractViolation, naming the row,
+  // required for enclosed entries, and ignored for exact ones. Throws ContractViolation, naming the row,
   //
-  //   where rows or columns are none of this matrix or do not ascend,
+  //   where a row or column is not one of this matrix, or they do not ascend,
   //   where an exact factor is not positive,
   //   where bounds of an enclosed factor are not 0 <= lower <= double <= upper, or of an estimated one not
   //   0 <= lower <= upper,
-  //   where a list is not empty and has not as many members as there are entries.
+  //   where a list is neither empty nor as long as the entries.
   //
-  // After such a throw the matrix is not to be used.
+  // The matrix must not be used after such a throw.
   void assign(std::vector<std::size_t> begin, FactorEntries entries, std::vector<double> measures = {},
               std::vector<Enclosure> bounds = {}, std::vector<Guarantee> guarantees = {});
 

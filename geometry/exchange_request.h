@@ -1,4 +1,4 @@
-// What is asked of whoever computes view factors.
+// What a caller asks of a computation of view factors.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +9,19 @@
 
 namespace hottel {
 
-// How an element's factor to the sky is found.
+// How the factor from an element to the sky is computed.
 enum class SkyBy : unsigned char {
-  kIntegral,  // it is measured as all others are
-  kClosure,   // it is what all others leave of the area: SkyByClosure says of which rows
+  kIntegral,  // by integration, as all others are
+  kClosure,   // as 1 less all others of its row; SkyByClosure says in which rows
 };
 
-// What is asked of a computation of view factors, by whatever method and in whatever dimension.
+// What is asked of a computation of view factors, by any method, in the plane or in space.
 //
-//   (1) nothing here changes a number that is computed with and without it, but for the tolerance, and the sky by
-//       closure: a request chooses rows and columns, leaves out what nobody asks for, and limits what the computation
-//       may take
-//   (2) a limit of memory is held against an estimate before the work, and against the pairs found during it. Methods
-//       that are not exact keep to none
+//   (1) a request chooses rows and columns, leaves out what is not needed, and limits memory. Numbers that are
+//       computed with and without it are the same,
+//       except for the tolerance, and for the sky by closure
+//   (2) the memory limit is checked against an estimate before the work, and against the pairs found during it. Methods
+//       that are not exact ignore it
 //   (3) a method that has no visibilities or measures leaves them out
 struct ExchangeRequest {
   Granularity granularity = Granularity::kFace;

@@ -1,4 +1,4 @@
-// What a scene says beside its shape, whatever its dimension.
+// All of a scene but its shape, in either dimension.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ namespace hottel {
 // The most elements that one surface may be divided into.
 inline constexpr std::uint32_t kMaxElements = 1'000'000;
 
-// Where a face of a mesh stands. It makes no surface another one: all are equal.
+// Where a face of a mesh stands in a file. It never makes two surfaces different: all places compare equal.
 struct MeshPlace {
   std::uint32_t file = 0;  // SceneTable::sources[file - 1]; 0: it is no face of a mesh
   int line = 0;            // 0 in a binary file
@@ -64,8 +64,8 @@ struct Surface {
   friend bool operator==(const Surface&, const Surface&) = default;
 };
 
-// What patches lie on: the fronts or the backs of the surface of that name, or of the surfaces of the group of that
-// name that do not lie on it themselves (PatchBases).
+// What patches lie on: the fronts or the backs of the surface of that name; or of the surfaces of the group of that
+// name, without those that are patches on this group themselves (PatchBases).
 using PatchBase = SideName;
 
 // What is behind the backs of a group.
@@ -75,9 +75,9 @@ enum class Behind : unsigned char {
   kOpen,       // the group makes nothing solid
 };
 
-// A surface of its own, or those of one polyline or mesh. It has a name and says what is behind its backs; its
-// surfaces name it by their `group`. In space groups may be of one body, by its name: where none of them closes alone,
-// they are asked together whether they do.
+// A single surface, or the surfaces of one polyline or mesh. It has a name and says what is behind its backs; its
+// surfaces refer to it by their `group`. In space several groups may name the same body: if none of them is closed by
+// itself, they are tested together for being closed.
 struct Group {
   std::string name;
   Behind behind = Behind::kByOutline;
@@ -88,7 +88,7 @@ struct Group {
   friend bool operator==(const Group&, const Group&) = default;
 };
 
-// An expectation that a scene file carries about itself: what a stranger can check, and why it holds.
+// An expectation that a scene file carries about itself: a value that a reader can check, and why it holds.
 struct Expectation {
   std::string name;             // of the reference value, e.g. "strip_parallel_h1"; may be empty
   std::string kind;             // "exact", "rounded", "limit", "point", ...
@@ -128,8 +128,8 @@ struct SceneTable {
   std::optional<std::uint32_t> find(const std::string& name) const;
 };
 
-// Gives every surface whose front has a two-sided material, and whose back has none, that material on its back; not
-// patches, which have the backs that they say.
+// If a front has a two-sided material and the back of its surface has no material, gives the back that material; not
+// for patches, whose backs have what the file says.
 // REQUIRES materials that are defined. COST: linear.
 void settle_two_sided(SceneTable& table);
 
@@ -150,8 +150,8 @@ std::string length_unit(const SceneTable& table);
 // one is refused and the line of the first is told. COST: linear.
 void validate_table(const SceneTable& table);
 
-// Makes the spectra of materials and lights that were added to a scene of two bands such: of a lamp and of a light the
-// solar band is what they send out. Where there are no bands, and to what has them, it does nothing.
+// Turns spectra of materials and lights that were added to a scene of two bands into spectra of two bands: the emission
+// of a lamp or a light becomes solar. Does nothing in a scene without bands, nor to spectra of two bands.
 void settle_bands(SceneTable& table);
 
 // Returns how many surfaces each group has. Throws ContractViolation for a surface of a group that is not there.

@@ -68,16 +68,16 @@ const std::vector<HardCase>& hard_cases() {
                                   edge("right", "4, 4", "4, 0") + ", " + edge("bottom", "4, 0", "0, 0");
   static const std::vector<HardCase> cases = {
       {"crack", "A crack of width d in a wall",
-       "A room of side 4 is halved by a wall with a crack of width d in its middle. What gets through is proportional "
-       "to d, down to nothing; for d = 0 it is nothing.",
+       "A room of side 4 is halved by a wall with a crack of width d in its middle. The light that gets through "
+       "is proportional to d, and none for d = 0.",
        "F(bottom, top) = (sqrt(8) - sqrt(4 + (2 - d)^2)) / 4", "bottom", "top",
        [](const std::string& d) {
          return room + ", " + edge("wall", "0, 2", "2, 2") + ", " + edge("other", more(2, d) + ", 2", "4, 2");
        },
        [](const Real& d) { return Real((root(real(8)) - root(4 + (2 - d) * (2 - d))) / 4, kBits); }, -1, "d"},
       {"leak", "A partition that misses the ceiling by d",
-       "A slanted partition from the floor ends at distance about d below the ceiling of a room of side 4. The leak "
-       "between left and right wall is proportional to d²: 10⁻¹²⁰ at the end of the sweep.",
+       "A slanted partition from the floor ends at distance about d below the ceiling of a room of side 4. The view "
+       "factor between left and right wall is proportional to d²: 10⁻¹²⁰ for the smallest d.",
        "F(left, right) = (sqrt((3 - d/2)^2 + d^2) + sqrt((1 + d/2)^2 + d^2) - 4) / 8", "left", "right",
        [](const std::string& d) {
          return room + ", " + edge("partition", "1, 0", less_half(3, d) + ", " + less(4, d));
@@ -99,13 +99,13 @@ const std::vector<HardCase>& hard_cases() {
        [](const std::string& d) { return edge("lower", "1, 0", "0, 0") + ", " + edge("upper", "0, 0", "1, " + d); },
        [](const Real& d) { return Real((1 + d - root(1 + d * d)) / 2, kBits); }, -1, "d"},
       {"flat", "A wall that is nearly straight",
-       "Two plates of length 1 go on from each other but for a kink of angle d. They see each other by d²/8.",
+       "Two plates of length 1 meet end to end, with a kink of angle d. The view factor between them is about d²/8.",
        "F(first, second) = (1 + sqrt(1 + d^2) - sqrt(4 + d^2)) / 2", "first", "second",
        [](const std::string& d) { return edge("first", "1, 0", "0, 0") + ", " + edge("second", "2, " + d, "1, 0"); },
        [](const Real& d) { return Real((1 + root(1 + d * d) - root(4 + d * d)) / 2, kBits); }, -1, "d"},
       {"small", "A plate that shrinks",
-       "A plate of length 2 d, centred above a plate of length 2 at distance 1. Sizes differ by 10⁶⁰ at the end of the "
-       "sweep.",
+       "A plate of length 2 d, centred above a plate of length 2 at distance 1. Its smallest size is 10⁻⁶⁰ of "
+       "the other plate's.",
        "F(large, small) = (sqrt(1 + (1 + d)^2) - sqrt(1 + (1 - d)^2)) / 2", "large", "small",
        [](const std::string& d) {
          return edge("large", "1, 0", "-1, 0") + ", " + edge("small", "-" + d + ", 1", d + ", 1");
@@ -275,13 +275,14 @@ LogPlot reflectivity_plot(std::string& table) {
 constexpr const char* kIntroduction = R"(# Hard cases
 
 What happens when geometry comes near to degeneracy? Each case below has a parameter that drives it there, over sixty
-orders of magnitude, and a closed form that is evaluated with 1024 bits. The curves are the relative error of one view
-factor: by the exact method, and by the methods that most codes use ([what they are](../solver/plane/methods)). An error of 1
-means that the factor came out as 0, or as twice its value: nothing of it was found; larger errors are drawn at 1000. The
-exact method stays below 1.2e-16, half an ulp: it prints the double nearest to the true number.
+orders of magnitude, and a closed form that is evaluated with 1024 bits. The curves show the relative error of one view
+factor: by the exact method, by the same method in plain doubles (`arithmetic:doubles`; `arithmetic:naive` also decides in
+doubles what hides what), and by the methods that most codes use ([what they are](../solver/plane/methods)). An error of
+1 means that the method printed 0, or twice the true value. Larger errors are drawn at 1000. The exact method stays below
+1.2e-16, half a unit in the last place: it prints the double nearest to the true number.
 
-Coordinates are typed as decimals and read exactly, so 4 - 10⁻⁶⁰ is not 4. That is where most of the story lies: a
-program that reads coordinates as doubles has closed the crack before it begins.
+Coordinates are typed as decimals and read exactly, so 4 - 10⁻⁶⁰ is not 4. That makes most of the difference: a program
+that reads coordinates as doubles has closed the crack before it begins.
 
 The same [in space](hard_cases_in_space.md). This page and its pictures are made by `tools/hard_cases`; the numbers are in
 [hard_cases.csv](hard_cases.csv).
@@ -318,10 +319,10 @@ int run(const std::filesystem::path& folder) {
   const LogPlot reflectivity = reflectivity_plot(table);
   write_file(folder / "images/hard_case_reflectivity.png", log_plot(reflectivity, PictureFormat::kPng));
   page += fmt::format(
-      "## Reflectivity towards 1\n\nIn a closed room hardly any light is lost when 1 - rho is small: the system "
-      "becomes "
-      "singular, and ordinary solvers lose a digit for each digit of 1 - rho. In the row-defect form "
-      "([Radiosity](design/radiosity.md)) nothing is lost, and the bounds stay a few ulps wide.\n\n"
+      "## Reflectivity towards 1\n\nIn a closed room hardly any light is lost when 1 - rho is small: the system is "
+      "nearly singular, and ordinary solvers lose a digit with each digit of 1 - rho. In row-defect form, where 1 - "
+      "rho itself is an input ([Radiosity](design/radiosity.md)), none is lost, and the bounds stay a few ulps "
+      "wide.\n\n"
       "![Reflectivity towards 1](images/hard_case_reflectivity.png)\n\n{}",
       table);
   write_file(folder / "hard_cases.csv", csv);

@@ -1,4 +1,4 @@
-// Values that are made when they are first asked for, each once, and shared by all who ask.
+// Values that are computed when they are first asked for, once each, and shared by all who ask.
 #pragma once
 
 #include <atomic>
@@ -14,11 +14,11 @@
 
 namespace hottel {
 
-// Told to who waits, on the waiting thread, about every 5 ms: the stage that runs, and the fraction of it that is
-// done. May throw: then the wait is over, and what it threw is thrown by who was asked.
+// Called on a waiting thread about every 5 ms: the name of the stage that runs, and the fraction of it that is
+// done. It may throw: this ends the wait, and the exception goes on to the caller of the stage.
 using StageProgress = std::function<void(std::string_view stage, double fraction)>;
 
-// Progress of one function, told as that of a stage. REQUIRES: the name outlives it.
+// Progress of one function, passed on as progress of a stage. REQUIRES: the name outlives it.
 inline std::function<void(double)> telling(const char* stage, const StageProgress& progress) {
   return [stage, progress](double fraction) { progress(stage, fraction); };
 }
@@ -60,16 +60,16 @@ class AnyStage {
   double told_fraction_ = 0;
 };
 
-// A value made when it is first asked for, by a thread of its own, from inputs that never change.
+// A value that a thread of its own computes when it is first asked for, from inputs that never change.
 //
-//   (1) it is made once, however many threads ask at once; the others wait
-//   (2) who waits may be dropped: by what its progress throws, or, with Interrupted, by its own StopScope or
-//       request_interrupt(). Others go on waiting
-//   (3) when nobody waits any more, the work is asked to stop (StopScope). It leaves the value absent, never half
-//       made, and the next one to ask begins anew; work that ends all the same leaves the value it made
-//   (4) what the work throws, but Interrupted, is thrown to all who ask, now and later; bad_alloc as OutOfMemory
-//   (5) the destructor stops what runs and waits for it
-// REQUIRES: `make` holds what it needs, and nothing that holds this; it passes its progress on to stages that it asks.
+//   (1) it is computed once, however many threads ask at once; the others wait
+//   (2) one waiting thread can be cancelled: by an exception of its progress function, or, with Interrupted, by its own
+//       StopScope or request_interrupt(). Others go on waiting
+//   (3) when no thread waits any more, the computation is asked to stop (StopScope). The value is then absent, never
+//       half made, and the next call begins it anew; a computation that ends all the same leaves its value
+//   (4) what the computation throws, except Interrupted, is thrown to all callers, now and later; bad_alloc as
+//       OutOfMemory
+//   (5) the destructor stops a running computation and waits for it
 // COST: a thread, about 20 µs, the first time; afterwards a lock.
 template <class T>
 class Stage {

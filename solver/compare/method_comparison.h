@@ -1,4 +1,4 @@
-// Approximate methods beside the exact one, on one scene of whatever dimension: how wrong, and how long.
+// Approximate methods beside the exact one, on one scene, in the plane or in space: their errors and times.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@
 
 namespace hottel {
 
-// What methods are held against: a scene and its exact factors by elements, with visibilities.
+// What methods are compared with: a scene and its exact factors by elements, with visibilities.
 template <class Prepared>
 struct ComparisonReference {
   std::shared_ptr<const Prepared> prepared;
@@ -31,15 +31,15 @@ struct ComparisonReference {
   std::vector<LightShares> lights = {};  // of the elements of `exact`
   double tolerance = 0;                  // of the exact factors that are not correctly rounded
   bool proves = false;                   // ExchangeRequest::proves, of methods that can
-  double seconds = 0;                    // that the exact factors took
+  double seconds = 0;                    // time of the exact factors
 };
 
-// A scene with its exact factors and radiosities, ready to judge methods.
+// A scene with its exact factors and radiosities, with which methods are compared.
 //
-//   (1) exact() is over the elements that the surfaces ask for, with visibilities; all methods are held against it
-//   (2) where radiosities cannot be solved for, exact_solution() is nothing and why_no_solution() says why; methods are
+//   (1) exact() has the elements that the scene asks for, with visibilities; all methods are compared with it
+//   (2) if radiosities cannot be solved for, exact_solution() is nothing and why_no_solution() says why; methods are
 //       then judged by their factors alone
-//   (3) no error is told that is smaller than what the reference itself may be off (reference())
+//   (3) no reported error is smaller than the possible error of the reference itself (reference())
 template <class Prepared>
 class MethodComparison {
  public:
@@ -93,8 +93,8 @@ class MethodComparison {
     return result;
   }
 
-  // The same of the exact method, of which nothing is computed again: matrix and solution are those of the reference,
-  // and so are the seconds, of one run.
+  // The same for the exact method, without computing anything again: matrix and solution are those of the reference,
+  // and the time is that of the one run that made it.
   MethodResult reference_as_method(const ExchangeMethod<Prepared>& exact_method) const {
     MethodResult result;
     result.info = exact_method.info();

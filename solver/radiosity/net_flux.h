@@ -14,7 +14,7 @@
 
 namespace hottel {
 
-// Of a face, or of several that go by one name: sum of A_i (B_i - H_i).      [W; in the plane W per metre of depth]
+// Of a face, or of faces with one name: sum of A_i (B_i - H_i).              [W; in the plane W per metre of depth]
 struct NetFlux {
   struct Power {
     double value = 0, lower = 0, upper = 0;
@@ -27,23 +27,23 @@ struct NetFlux {
 // The sum of two powers, bounds rounded outward.
 NetFlux::Power sum(const NetFlux::Power& a, const NetFlux::Power& b);
 
-// Lights, and what they shine on first.
+// Lights, and the faces that they shine on directly.
 struct ShiningLights {
   std::span<const Light> lights;
   std::span<const LightShares> shares;  // of each
 };
 
-// Returns the net flux of every face with a material and of every black back and the sky that such a face or a light
-// sees, summed over the elements for which `name_of` returns the same name, in the order of the first of them; the sky
-// last.
+// Returns the net fluxes of all faces with a material, of the black backs that such a face or a light sees, and of the
+// sky. Elements for which `name_of` returns the same name are summed; names stand in the order of their first elements,
+// the sky last.
 //
-//   (1) positive: more leaves than arrives, as from a lamp; negative: the difference is absorbed, or goes to the sky
-//   (2) lower <= true flux <= upper, and value lies between them; the same holds of sums over names. True is what the
-//       bounds of the solution are about: the exact factors, all factors within their bounds, or, where some are
-//       estimated (RadiositySolution::guarantee), those that the matrix holds
-//   (3) the true fluxes of all names sum to 0 where rows sum to 1 and pairs are reciprocal: what is sent out arrives
-//       somewhere; so do the values, but for roundings, where iterations were stopped early too. Lights are none of
-//       them: with them they sum to minus what lights send out (light_flux)
+//   (1) positive: more leaves than arrives, as at a lamp; negative: the difference is absorbed, or goes to the sky
+//   (2) lower <= true flux <= upper, and value lies between them; the same holds of sums over names. True means what
+//       the bounds of the solution hold for: the exact factors, all factors within their bounds, or, if some are
+//       estimated (RadiositySolution::guarantee), the doubles of the matrix
+//   (3) if rows sum to 1 and pairs are reciprocal, the true fluxes of all names sum to 0: all that is sent out arrives
+//       somewhere. So do the values up to rounding, even if iterations were stopped early. Lights have no name here:
+//       with lights the sum is minus what they send out (light_flux)
 // Throws ContractViolation where the solution has another number of elements. REQUIRES a solution of this matrix with
 // this sky and these lights. COST: one pass over the matrix a channel.
 std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolution& solution,

@@ -1,4 +1,4 @@
-// Radiosities of one scene for one light after another.
+// Radiosities of one scene for many lights, one after the other.
 //
 //   const Simulation2 simulation(read_scene_2("scenes/analytic/square_radiosity.json"));
 //   const auto factors = simulation.factors();
@@ -23,44 +23,44 @@
 
 namespace hottel {
 
-// Solves B_i = E_i + rho_i (sum_j F_ij B_j + D_i) in every channel, for view factors F and reflectivities rho that stay
-// and for as many emissions E and direct irradiances D as one likes. The solver factors the system when it first needs
+// Solves B_i = E_i + rho_i (sum_j F_ij B_j + D_i) in every channel, for fixed view factors F and reflectivities rho and
+// any number of emissions E and direct irradiances D. The solver factors the system when it first needs
 // it, and keeps the factorization.
 //
 //   (1) lower <= true B <= upper in every element, for the exact reflectivities and any sources within their
 //       enclosures. Which factors the true B belongs to depends on the weakest of them:
 //         exact       the real factors
 //         enclosed    any factors within their bounds; where the matrix has closed rows, those whose rows sum to 1
-//         estimated   the doubles that the matrix holds. That says nothing of the scene
+//         estimated   the doubles in the matrix. Nothing is proven about the scene then
 //       `guarantee` is kEstimated in the last case, else kEnclosed
 //   (2) lower = upper = 0 = B where no light reaches; B = E within half an ulp where rho = 0 and E is exact; lower is
 //       never below the largest double that is not above E, net_upper never above the smallest that is not below it
 //       (unless a factor is negative)
-//   (3) bounds are a few ulps wide after cholesky and cg, or up to 3 n ulps for n unknowns where doubles do not do
-//       (high_precision_elimination.h). That holds for any distance of rho from 1, and for elements that next to no
-//       light reaches. Where factors or sources are enclosed, bounds are a few ulps wider than the range of the
-//       radiosities that those allow; they are infinite where some factors within the bounds would let light go round
+//   (3) bounds are a few ulps wide after cholesky and cg, or up to 3 n ulps for n unknowns if doubles do not suffice
+//       (high_precision_elimination.h). That holds however near rho is to 1, and for elements that almost no
+//       light reaches. If factors or sources are enclosed, bounds are a few ulps wider than the range of the
+//       radiosities that those allow; they are infinite if some factors within the bounds let light circulate
 //       for ever (enclosed_radiosity.h)
-//   (4) each component is bounded on its own scale, whatever shines elsewhere; a note names faces that remain wide
-//       relative to themselves (loose_bounds.h)
-//   (5) irradiance is that of the radiosities as given, and D, so net() is what they exchange less D; where iterations
-//       were stopped early B = E + rho H holds within the residual only, and a note says so
-//   (6) emission is E, the middle of an enclosure; in the energy D counts as emitted
-//   (7) D only matters to radiosities by rho D: they are those of the emissions E + rho D
-//   (8) a solution is the same bit for bit for any number of threads and whatever was solved before: it is a function
+//   (4) each component (faces that exchange light) is bounded on its own scale, however bright others are; a note
+//       names faces whose bounds remain wide relative to their radiosity (loose_bounds.h)
+//   (5) irradiance is computed from the returned radiosities and D, and net() is radiosity less irradiance; if
+//       iterations were stopped early, B = E + rho H holds within the residual only, and a note says so
+//   (6) emission is E, the middle of its enclosure; in the energy balance D counts as emitted
+//   (7) D changes radiosities only by rho D: they are those of the emissions E + rho D
+//   (8) a solution is the same bit for bit for any number of threads and after any earlier solutions: it is a function
 //       of the matrix, the reflectivities, the options and the sources
 //   (9) solve() may be called by many threads at once
-//   (10) where sources are withdrawn the system is solved twice, and bounds are subtracted (signed_radiosity.h):
+//   (10) withdrawn sources (net fluxes below 0) are solved for alone, and bounds subtracted (signed_radiosity.h):
 //       (2) and (3) then hold of both solutions, not of their difference, which may be below 0
-//   (11) in two bands the solar one is solved first. Of faces that keep their gains, what they gain there is a source
-//       of the thermal one (band_gains.h); bounds hold of both together
+//   (11) in two bands the solar one is solved first. What insulated and given-flux faces gain there is a source
+//       of the thermal one (band_gains.h); bounds hold for both together
 //
-// There are two channels in two bands, else three unless all reflectivities and all sources are scalars.
+// Two bands are two channels. Otherwise there is one if all reflectivities and sources are scalars, else three.
 class RadiositySolver {
  public:
-  // `reflectivity`: by material, into which the elements' materials index. Of the options `progress` is not called.
-  // Throws ContractViolation where a material of a row is none of these or a reflectivity not from 0 to 1, RequestError
-  // where a factor is no number.
+  // `reflectivity`: by material; elements refer to it by the index of their material. options.progress is not called.
+  // Throws ContractViolation if a row's material is not in the list or a reflectivity is not from 0 to 1, RequestError
+  // if a factor is NaN or infinite.
   RadiositySolver(std::shared_ptr<const ExchangeMatrix> matrix, const std::vector<Spectrum>& reflectivity,
                   RadiosityOptions options = {});
   ~RadiositySolver();

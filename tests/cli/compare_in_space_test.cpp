@@ -85,7 +85,7 @@ TEST(CompareInSpace, FactorsByAMethodAreWrittenLikeExactOnesWithoutBounds) {
   for (const std::string option : {"--tolerance 1e-6", "--guarantee enclosed", "--memory 1000000"}) {
     const Outcome refused = place.run("hottel factors '" + kCube + "' --method gauss:2 " + option);
     EXPECT_EQ(refused.code, 2) << option;
-    EXPECT_THAT(refused.err, HasSubstr("is of the method exact only, not of gauss:2")) << option;
+    EXPECT_THAT(refused.err, HasSubstr("is for the method exact only, not for gauss:2")) << option;
   }
   for (const std::string option : {"--pairs facing", "--matrix visibility", "--script-f"})
     EXPECT_EQ(place.run("hottel factors '" + kCube + "' --method gauss:2 " + option).code, 2) << option;

@@ -323,10 +323,9 @@ TEST(Compare, RefusesGridsOfAnotherShapeThanTheScenes) {
     return outcome.err;
   };
   said("own.json", "own", 0);
-  EXPECT_THAT(
-      said("own.json", "none", 3),
-      HasSubstr("none/illumination.npy: is of the shape (8, 4), and the grid of the scene of (4, 8): the axes are "
-                "exchanged"));
+  EXPECT_THAT(said("own.json", "none", 3),
+              HasSubstr("none/illumination.npy: has the shape (8, 4), and the grid of the scene (4, 8): the axes are "
+                        "exchanged"));
   said("space.json", "space", 0);
   EXPECT_THAT(said("space.json", "turned", 3), HasSubstr("(4, 3), and the grid of the scene of (3, 4): the axes are"));
   EXPECT_THAT(said("space.json", "own", 3), HasSubstr("of the shape (4, 8), and the grid of the scene of (3, 4)\n"));

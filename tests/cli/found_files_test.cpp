@@ -196,7 +196,7 @@ TEST(FoundFiles, EveryCommandReadsDrawingsAndMapsAndStandardInput) {
   EXPECT_EQ(place.run("hottel factors - <room.json").out, place.run("hottel factors room.json").out);
   EXPECT_NE(place.run("hottel factors yard.wkt").out, place.run("hottel factors yard.wkt --front outside").out);
   EXPECT_THAT(place.run("hottel factors room.svg --front outside").err,
-              HasSubstr("--front is of the polygons of a map"));
+              HasSubstr("--front is for the polygons of a map"));
   EXPECT_EQ(place.run("hottel view - <room.json").code, 2);
   EXPECT_THAT(place.run("echo '{' | hottel factors -").err, StartsWith("standard input:1: "));
 }

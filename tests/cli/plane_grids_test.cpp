@@ -162,7 +162,7 @@ TEST_F(PlaneGrids, AreComparedByTheNamesOfFiles) {
   EXPECT_THAT(unknown.err,
               HasSubstr("x.npy: is light on one of several grids, and its name does not say which: 'room', 'desk'"));
   const Outcome other = place.run("cp both/illumination-desk.npy x-room.npy; " + compare + "x-room.npy");
-  EXPECT_THAT(other.err, HasSubstr("is of the shape (3, 4), and the grid of the scene of (6, 8)"));
+  EXPECT_THAT(other.err, HasSubstr("has the shape (3, 4), and the grid of the scene (6, 8)"));
 }
 
 TEST_F(PlaneGrids, WhoseNamesEndAlikeAreComparedByTheLongest) {

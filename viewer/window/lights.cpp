@@ -24,8 +24,8 @@ Colour colour_of(const Light& light) {
   return {part(0), part(1), part(2)};
 }
 
-void draw_beam(PictureCanvas& canvas, const LightMark& mark, const LightLook& look, double unit) {
-  const double shown = look.is_pale ? kPale : 1;
+void draw_beam(PictureCanvas& canvas, const LightMark& mark, const LightStyle& style, double unit) {
+  const double shown = style.is_pale ? kPale : 1;
   for (std::size_t k = 0; k < mark.rim.size(); ++k)
     canvas.stroke(Mark::kTarget, mark.rim[k], mark.rim[(k + 1) % mark.rim.size()], kBeam.with_alpha(kBeam.a * shown),
                   1.2 * unit);
@@ -34,7 +34,7 @@ void draw_beam(PictureCanvas& canvas, const LightMark& mark, const LightLook& lo
                                          {mark.right, LightPart::kRight, 1.2}}) {
     if (!end) continue;
     canvas.stroke(Mark::kTarget, mark.place, *end, kBeam.with_alpha(kBeam.a * shown), width * unit);
-    canvas.disc(Mark::kTarget, *end, (look.touched == part ? 1.5 : 1) * kHandle * unit, palette::kTarget);
+    canvas.disc(Mark::kTarget, *end, (style.touched == part ? 1.5 : 1) * kHandle * unit, palette::kTarget);
   }
 }
 
@@ -45,17 +45,18 @@ Pixel within_canvas(const Pixel& p) {
   return {std::clamp(p.x, -kFar, kFar), std::clamp(p.y, -kFar, kFar)};
 }
 
-void draw_light(PictureCanvas& canvas, const Light& light, const LightMark& mark, const LightLook& look, double unit) {
-  const double shown = look.is_pale && !look.is_meant ? kPale : 1;
-  if (look.is_meant) {
-    draw_beam(canvas, mark, look, unit);
+void draw_light(PictureCanvas& canvas, const Light& light, const LightMark& mark, const LightStyle& style,
+                double unit) {
+  const double shown = style.is_pale && !style.is_meant ? kPale : 1;
+  if (style.is_meant) {
+    draw_beam(canvas, mark, style, unit);
   } else if (mark.axis) {
     const Pixel end{std::lerp(mark.place.x, mark.axis->x, 1.0 / 3), std::lerp(mark.place.y, mark.axis->y, 1.0 / 3)};
     canvas.stroke(Mark::kTarget, mark.place, end, kBeam.with_alpha(kBeam.a * shown), 2 * unit);
   }
   canvas.disc(Mark::kTarget, mark.place, kDisc * unit, colour_of(light).with_alpha(shown));
-  const Colour ring = look.is_meant ? palette::kTarget : palette::kInk;
-  canvas.circle(Mark::kTarget, mark.place, kDisc * unit, ring.with_alpha(shown), (look.is_meant ? 2.5 : 1.5) * unit);
+  const Colour ring = style.is_meant ? palette::kTarget : palette::kInk;
+  canvas.circle(Mark::kTarget, mark.place, kDisc * unit, ring.with_alpha(shown), (style.is_meant ? 2.5 : 1.5) * unit);
 }
 
 std::string begin_to_move(std::optional<Rational>& time, bool is_dragging, bool can_move) {

@@ -29,11 +29,11 @@ struct LightMark {
 
 // Draws a disc in the colour of the light, and its axis; where it is meant, with the borders of its beam and handles.
 // touched: the part under the mouse. pale: it is hidden by something. unit: of sizes, in pixels.
-struct LightLook {
+struct LightStyle {
   bool is_meant = false, is_pale = false;
   std::optional<LightPart> touched{};
 };
-void draw_light(PictureCanvas& canvas, const Light& light, const LightMark& mark, const LightLook& look, double unit);
+void draw_light(PictureCanvas& canvas, const Light& light, const LightMark& mark, const LightStyle& style, double unit);
 
 // Lets lights begin to move, at the time 0, where nothing is dragged and some light can. Returns what is to be said.
 std::string begin_to_move(std::optional<Rational>& time, bool is_dragging, bool can_move);

@@ -24,8 +24,8 @@ constexpr int kStepsOfADrag = 12;
 // Plays one script.
 class Player {
  public:
-  Player(const std::string& name, Desk& desk, RecordingWindow& window, const ScriptOutputs& outputs)
-      : name_(name), desk_(desk), window_(window), outputs_(outputs) {}
+  Player(const std::string& name, Viewer& viewer, RecordingWindow& window, const ScriptOutputs& outputs)
+      : name_(name), viewer_(viewer), window_(window), outputs_(outputs) {}
 
   void play(const ScriptStep& step) {
     step_ = &step;
@@ -49,23 +49,23 @@ class Player {
     else if (word == "type")
       send({.kind = WindowEvent::Kind::kText, .text = step_->rest});
     else if (word == "do")
-      desk_.command(fmt::format("{}", fmt::join(step_->arguments, " ")));
+      viewer_.command(fmt::format("{}", fmt::join(step_->arguments, " ")));
     else if (word == "leave" || word == "close")
       send({.kind = word == "leave" ? WindowEvent::Kind::kLeave : WindowEvent::Kind::kQuit});
     else if (word == "size")
       resize();
     else if (word == "pause")
       pause();
-    else if (!desk_.do_own_step(*step_))
+    else if (!viewer_.do_own_step(*step_))
       write();
   }
 
   void record() {
-    desk_.settle(kPatience);
+    viewer_.settle(kPatience);
     if (outputs_.frame) outputs_.frame(window_.frame());
   }
 
-  void send(const WindowEvent& event) { desk_.handle(event); }
+  void send(const WindowEvent& event) { viewer_.handle(event); }
 
   // "3.5,2" or "3.5,2,1" in the scene, or "@640,400" in pixels.
   Pixel pixel(std::string_view text) const {
@@ -81,7 +81,7 @@ class Player {
     if (place.size() < 2 || (is_pixel && place.size() != 2))
       refuse("a place is X,Y in the scene or @X,Y in pixels, not '" + std::string(is_pixel ? "@" : "") +
              std::string(text) + "'");
-    return is_pixel ? Pixel{place[0], place[1]} : desk_.pixel_of_place(place);
+    return is_pixel ? Pixel{place[0], place[1]} : viewer_.pixel_of_place(place);
   }
 
   // The button and what is held, from the arguments behind the places.
@@ -177,11 +177,11 @@ class Player {
     double seconds = 0;
     if (!read_script_number(step_->arguments[0], seconds) || seconds < 0) refuse("seconds are a number not below 0");
     for (int k = 0; k < seconds * kFramesPerSecond; ++k) {
-      if (desk_.pass_time(Rational(1, kFramesPerSecond))) {
-        desk_.settle(kPatience);
+      if (viewer_.pass_time(Rational(1, kFramesPerSecond))) {
+        viewer_.settle(kPatience);
       } else {
         std::this_thread::sleep_for(std::chrono::milliseconds(1000 / kFramesPerSecond));
-        desk_.update();
+        viewer_.update();
       }
       if (outputs_.frame) outputs_.frame(window_.frame());
     }
@@ -191,15 +191,15 @@ class Player {
     const std::string& word = step_->word;
     if (word != "wait" && word != "save" && word != "screenshot" && word != "picture" && word != "hash")
       refuse("'" + word + "' is a step for scenes in space");
-    desk_.settle(kPatience);
-    if (word == "save") desk_.save_as(step_->arguments[0]);
+    viewer_.settle(kPatience);
+    if (word == "save") viewer_.save_as(step_->arguments[0]);
     if (word == "screenshot") save_screenshot(window_.frame(), step_->arguments[0]);
-    if (word == "picture") desk_.save_picture(step_->arguments[0]);
-    if (word == "hash") outputs_.print(desk_.hashes());
+    if (word == "picture") viewer_.save_picture(step_->arguments[0]);
+    if (word == "hash") outputs_.print(viewer_.hashes());
   }
 
   const std::string& name_;
-  Desk& desk_;
+  Viewer& viewer_;
   RecordingWindow& window_;
   const ScriptOutputs& outputs_;
   const ScriptStep* step_ = nullptr;
@@ -218,12 +218,12 @@ void save_screenshot(const Raster& frame, const std::filesystem::path& file) {
   write_output_file(file, png_file(frame));
 }
 
-void play_script(const std::vector<ScriptStep>& steps, const std::string& name, Desk& desk, RecordingWindow& window,
+void play_script(const std::vector<ScriptStep>& steps, const std::string& name, Viewer& viewer, RecordingWindow& window,
                  const ScriptOutputs& outputs) {
-  Player player(name, desk, window, outputs);
-  desk.settle(kPatience);
+  Player player(name, viewer, window, outputs);
+  viewer.settle(kPatience);
   for (const ScriptStep& step : steps) {
-    if (desk.wants_quit()) return;
+    if (viewer.wants_quit()) return;
     player.play(step);
   }
 }

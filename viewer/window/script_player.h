@@ -1,4 +1,4 @@
-// Scripts played on a desk.
+// Plays scripts on a viewer.
 #pragma once
 
 #include <filesystem>
@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "viewer/window/desk.h"
 #include "viewer/window/recording_window.h"
 #include "viewer/window/script.h"
+#include "viewer/window/viewer.h"
 
 namespace hottel {
 
@@ -24,11 +24,11 @@ inline constexpr int kFramesPerSecond = 20;
 
 // Does the steps, one after the other; ends early where the window is closed.
 //
-//   (1) after each step all that the desk shows is waited for: a script does the same on every machine
+//   (1) after each step all that the viewer shows is waited for: a script does the same on every machine
 //   (2) a recording has a frame for every event, and kFramesPerSecond for a second of "pause", in which what runs in
 //       the background goes on as it does; lights that move are waited for, frame by frame
-// REQUIRES: the desk is that of the window. Throws InputError naming the line for what makes no sense, OutputError.
-void play_script(const std::vector<ScriptStep>& steps, const std::string& name, Desk& desk, RecordingWindow& window,
+// REQUIRES: the viewer is that of the window. Throws InputError naming the line for what makes no sense, OutputError.
+void play_script(const std::vector<ScriptStep>& steps, const std::string& name, Viewer& viewer, RecordingWindow& window,
                  const ScriptOutputs& outputs);
 
 // Writes a frame as a PNG file. Throws UsageError unless the file ends in .png, OutputError.

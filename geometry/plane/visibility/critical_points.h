@@ -1,4 +1,4 @@
-// Where, along a face, the view of another face changes its combinatorics.
+// Points along a face at which what is seen of another face changes.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ class Arrangement2;
 struct PreparedScene2;
 struct Scene2;
 
-// A point of a face through which a line passes that touches two vertices and beyond which the other face appears,
+// A point of a face on a line that touches two vertices, beyond which the other face appears,
 // disappears or changes its neighbour.
 struct CriticalPoint2 {
   Rational t;            // position on the surface, 0 at its first point, 1 at its second
@@ -26,7 +26,7 @@ struct CriticalPoint2 {
 //
 //   (1) exact: 0 <= t <= 1, and `point` is at t of the way along the surface of a
 //   (2) is_jump iff near == point
-//   (3) several lines may pass through one point; each is told once with its (near, far)
+//   (3) several lines may pass through one point; each is listed once with its (near, far)
 //   (4) lines along the surface of a give none, nor do its own end points as the nearer vertex
 //
 // COST: one sweep about every vertex.

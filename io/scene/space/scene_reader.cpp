@@ -141,7 +141,7 @@ class SpaceReader3 {
 
   void read_body(const JsonValue& value, const SceneEntry& polygon) {
     if (!polygon.more[1])
-      refuse(value, polygon.owner + ": body is of the polygons of a \"group\"", {"a body is made of several groups"});
+      refuse(value, polygon.owner + ": body is for the polygons of a \"group\"", {"a body is made of several groups"});
     Group& group = scene_.groups[polygon.surface.group];
     std::string name = read_string(value, {polygon.owner, "body"});
     if (const auto problem = name_problem(name); !problem.empty())

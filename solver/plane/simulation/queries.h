@@ -1,4 +1,4 @@
-// Common questions to a simulation in the plane: of faces by name, and of points.
+// Common queries to a simulation in the plane: about faces by name, and about points.
 //
 //   const Simulation2 simulation(read_scene_2("scenes/analytic/square_radiosity.json"));
 //   std::printf("F = %.17g\n", view_factor(simulation, "bottom", "top").value);
@@ -23,8 +23,8 @@ class PointLights2;
 class Simulation2;
 struct VisibilityPolygon2;
 
-// Each makes the stages that it needs, and throws what they throw (simulation.h), unless it says otherwise. Names are
-// those of the rows: "wall", "wall:back", or "wall#2" where they are elements; UnknownName where there is none.
+// Each computes the stages that it needs, and throws what they throw (simulation.h), unless it says otherwise. Names
+// are those of rows: "wall", "wall:back", or "wall#2" if faces are divided. Throws UnknownName for other names.
 
 // Returns F(from, to), as ExchangeMatrix::factor; `to` may be "sky".
 Rounded view_factor(const Simulation2& simulation, const std::string& from, const std::string& to);
@@ -33,8 +33,8 @@ Rounded view_factor(const Simulation2& simulation, const std::string& from, cons
 // UsageError where `from` is the sky.
 ExactPair2 exact_pair(const Simulation2& simulation, const std::string& from, const std::string& to);
 
-// Returns what is known of an element in a channel: its radiosity with bounds, irradiance and net flux. Throws
-// UsageError where the element has no row. REQUIRES a channel of the solution.
+// Returns the result for an element in a channel: its radiosity with bounds, irradiance and net flux. Throws
+// UsageError if the element has no row. REQUIRES a channel of the solution.
 ElementRadiosity radiosity_of(const Simulation2& simulation, const std::string& element, std::size_t channel = 0);
 
 // The mean irradiance at a point once light has been reflected until it is absorbed.       [unit: that of radiosity]
@@ -44,10 +44,10 @@ struct PointLight2 {
   std::string why_none;                 // why there is no solution, or none in doubles; else empty
 };
 
-// Returns the light at a point in scene coordinates. Does not throw RequestError: where there is no solution why_none
-// says why, and the lists are empty. COST: the radiosities, where they are not there, and point location.
+// Returns the light at a point in scene coordinates. Does not throw RequestError: if there is no solution, why_none
+// says why, and the lists are empty. COST: the radiosities, if they are not computed yet, and point location.
 PointLight2 light_at(const Simulation2& simulation, const Point2& point, const StageProgress& progress = {});
-// The same where the caller has what the point sees.
+// The same for a caller who knows already what the point sees.
 PointLight2 light_at(const Simulation2& simulation, const VisibilityPolygon2& seen, const StageProgress& progress = {});
 
 // The same for many points: PointLights2 of this simulation. Throws RequestError where there is no solution.

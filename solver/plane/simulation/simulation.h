@@ -1,4 +1,4 @@
-// A scene in the plane, simulated: each result is made when it is first asked for, and kept while it holds.
+// A scene in the plane, simulated: each result is computed when it is first asked for, and kept while it is valid.
 //
 //   const Simulation2 day(read_scene_2("scenes/analytic/square_radiosity.json"));
 //   Scene2 scene = day.scene();
@@ -27,33 +27,33 @@ class LightRows2;
 struct DividingEstimate;
 struct PreparedScene2;
 
-// One version of a scene and of what is asked of it, with all results, in stages ("a <- b": b is made from a):
+// One version of a scene and of a request, with all results, in stages ("a <- b": b is computed from a):
 //
 //   arrangement <- factors <- system <- radiosities <- light <- picture
 //   arrangement <- lights <- radiosities
 //   arrangement <- rows <- light, where rows are kept
 //
-// The estimate of dividing is made from the radiosities; plan, lost_light and check stand beside the stages. prepared()
-// is the arrangement with the scene of this version; light_shares() is the stage `lights`.
+// The estimate of dividing is computed from the radiosities; plan, lost_light and check are beside the stages.
+// prepared() is the arrangement with the scene of this version; light_shares() is the stage `lights`.
 //
-// A version never changes. An edit makes a new one, which shares every stage whose input is the same; so undoing is
-// taking the older version, and copies are cheap. The first call for a stage makes it, with the stages that it needs;
-// every call returns it as a shared value that outlives the version.
+// A version never changes. An edit makes a new one, which shares every stage whose input is the same. So undoing means
+// going back to the older version, and copies are cheap. The first call for a stage computes it, and the stages that it
+// needs; every call returns it as a shared value that may outlive the version.
 //
 //   (1) a stage is dropped by an edit iff its input changed, directly or in a stage before it:
 //         arrangement   edges, surfaces, groups, names, which materials act alike; whether elements are told apart
 //         factors       method, granularity, visibilities and measures, `everything`, memory
 //         system        reflectivities; solver, iterations, until
-//         lights        where they are and shine, and by which test, after the arrangement
+//         lights        their places, directions and beams, and the test of what they light, after the arrangement
 //         radiosities   emissions, that of the sky, the power of lights, the promise `closed`
 //         rows          grid, memory: what the cells see (light_rows.h), after the arrangement
 //         light         grid, kind of light. Made from rows where they are kept: the same bits
 //         picture       painter
 //         dividing      only what changes the radiosities
-//         plan, lost_light, check    anything in the scene, and what they look at: the grid, factors
+//         plan, lost_light, check    anything in the scene, and what they use: the grid, factors
 //   (2) every value is a function of scene and request: bit for bit that of a new simulation of the same scene, also
 //       after it was written and read again, whatever was edited, asked or cancelled before, on any number of threads.
-//       (`seconds` in reports are measured)
+//       (but `seconds` in reports are measured)
 //   (3) any number of threads may ask one version at once; stages are made, waited for, cancelled and failed as
 //       kernel/support/stage.h says. What a stage throws is thrown again until an edit drops it
 //   (4) factors and what cells see each keep to the memory that is allowed (ExchangeRequest::memory, LightRows2)
@@ -92,8 +92,8 @@ class Simulation2 {
   std::shared_ptr<const SolvedLight2> light(const StageProgress& progress = {}) const;
   // REQUIRES a painter in the request; throws ContractViolation otherwise.
   std::shared_ptr<const LightPicture2> picture(const StageProgress& progress = {}) const;
-  // What is worth telling: warnings of light that is lost, and all that `check` finds. Both look at the exact factors,
-  // which are this version's where its method is exact.
+  // lost_light: warnings of light that is lost; check: all findings of `check`. Both use the exact factors, which are
+  // those of this version if its method is exact.
   std::shared_ptr<const Findings2> lost_light(const StageProgress& progress = {}) const;
   std::shared_ptr<const SceneCheck2> check(const StageProgress& progress = {}) const;
 

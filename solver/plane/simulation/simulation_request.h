@@ -17,14 +17,14 @@ namespace hottel {
 
 class FactorStore;
 
-// A picture of light, as a painter makes it: the bytes of a file, or whatever its painter says.
+// A picture of light as its painter made it: the bytes of an image file, or what else the painter returns.
 struct LightPicture2 {
   std::string bytes;
-  double scale = 1;    // what values were multiplied by before they were toned
-  double seconds = 0;  // what it took, as the simulation measures it
+  double scale = 1;    // factor that values were multiplied by before the tone curve
+  double seconds = 0;  // the time it took, measured by the simulation
 };
 
-// Who draws light. The simulation knows no pictures; whoever has one to draw says how.
+// Draws light. The solver knows nothing of pictures; a caller who wants one passes a painter.
 class LightPainter2 {
  public:
   virtual ~LightPainter2() = default;
@@ -33,9 +33,9 @@ class LightPainter2 {
   virtual LightPicture2 paint(const PreparedScene2& prepared, const IlluminationGrid2& light) const = 0;
 };
 
-// What is asked, with what is taken where nothing is said.
+// A request, with the defaults.
 //
-//   (1) two requests are equal when they ask for the same; methods and painters are the same object then
+//   (1) two requests are equal if all their members are; methods and painters are equal if they are the same object
 struct SimulationRequest2 {
   std::shared_ptr<const ExchangeMethod2> method = {};     // null: the exact one
   std::optional<Granularity> granularity = {};            // nothing: elements where a surface is divided, else faces

@@ -1,4 +1,4 @@
-// Common questions to a simulation in space: of faces by name.
+// Common queries to a simulation in space: about faces by name.
 //
 //   const Simulation3 simulation(read_scene_3("scenes/space/cube.json"), {.factors = {.tolerance = 1e-12}});
 //   const KnownFactor3 f = view_factor(simulation, "floor", "ceiling");
@@ -25,15 +25,15 @@ struct KnownFactor3 {
   Guarantee guarantee = Guarantee::kEnclosed;  // of the value: kEnclosed, or kEstimated to the tolerance
 };
 
-// Each makes the stages that it needs, and throws what they throw (simulation.h), unless it says otherwise. Names are
-// those of the rows: "wall", "wall:back", "wall#2" where they are elements; UnknownName where there is none.
+// Each computes the stages that it needs, and throws what they throw (simulation.h), unless it says otherwise. Names
+// are those of rows: "wall", "wall:back", or "wall#2" if faces are divided. Throws UnknownName for other names.
 
 // Returns F(from, to); `to` may be "sky". By the exact method it is exactly 0 where the two exchange nothing. Throws
 // UsageError where `from` has no row.
 KnownFactor3 view_factor(const Simulation3& simulation, const std::string& from, const std::string& to);
 
-// Returns what is known of an element in a channel: its radiosity with bounds, irradiance and net flux. Throws
-// UsageError where the element has no row. REQUIRES a channel of the solution.
+// Returns the result for an element in a channel: its radiosity with bounds, irradiance and net flux. Throws
+// UsageError if the element has no row. REQUIRES a channel of the solution.
 ElementRadiosity radiosity_of(const Simulation3& simulation, const std::string& element, std::size_t channel = 0);
 
 // Returns what is worth telling about the scene (check_scene), with what the simulation has of it. REQUIRES factors by

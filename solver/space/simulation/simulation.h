@@ -1,4 +1,4 @@
-// A scene in space, simulated: each result is made when it is first asked for, and kept.
+// A scene in space, simulated: each result is computed when it is first asked for, and kept.
 //
 //   const Simulation3 simulation(read_scene_3("scenes/space/cube.json"), {.factors = {.tolerance = 1e-12}});
 //   const auto factors = simulation.factors();
@@ -35,7 +35,7 @@ class RowWatch3;
 struct DividingEstimate;
 struct PreparedScene3;
 
-// What is asked of view factors, with what is taken where nothing is said.
+// Which view factors are asked for, with the defaults.
 struct FactorsRequest3 {
   // The method; null means "exact". Only the exact method has visibilities, measures, limits and hidden pairs.
   std::shared_ptr<const ExchangeMethod3> method = nullptr;
@@ -46,8 +46,8 @@ struct FactorsRequest3 {
   bool must_be_enclosed = false;                          // a pair without an enclosure within the tolerance is refused
   RowChoice rows = {};                                    // as ExchangeRequest takes them
   std::uint64_t memory = 0;                               // bytes, as memory_allowed() takes it
-  // Says which rows are measured first, and is told of them as they come, on the thread that measures; of the exact
-  // method. Nothing that is computed depends on it: requests are alike with and without one.
+  // Says which rows are measured first, and is called as they come, on the thread that measures; only by the exact
+  // method. It changes no result, so requests that differ in it alone are equal.
   std::shared_ptr<RowWatch3> watch = nullptr;
   // The store that kept factors are read from and computed ones are written to. Nothing that is computed depends on it.
   std::shared_ptr<FactorStore> store = nullptr;
@@ -68,13 +68,13 @@ struct SystemRequest3 {
   friend bool operator==(const SystemRequest3&, const SystemRequest3&) = default;
 };
 
-// A picture of light, as a painter makes it: the bytes of a file, or whatever its painter says.
+// A picture of light as its painter made it: the bytes of an image file, or what else the painter returns.
 struct LightPicture3 {
   std::string bytes;
-  double seconds = 0;  // what it took, as the simulation measures it
+  double seconds = 0;  // the time it took, measured by the simulation
 };
 
-// Who draws light. The simulation knows no pictures; whoever has one to draw says how.
+// Draws light. The solver knows nothing of pictures; a caller who wants one passes a painter.
 class LightPainter3 {
  public:
   virtual ~LightPainter3() = default;
@@ -82,8 +82,8 @@ class LightPainter3 {
   virtual LightPicture3 paint(const IlluminationGrid3& light) const = 0;
 };
 
-// Where light between the faces is asked for, on a planar grid or in a volume, and who draws it; painters are alike
-// when they are the same object.
+// On which grid light between the faces is computed, planar or a volume, and who draws it; two painters are equal if
+// they are the same object.
 struct LightRequest3 {
   std::optional<Grid3> grid = {};                          // nothing: the first of the scene
   std::shared_ptr<const LightPainter3> painter = nullptr;  // null: no picture can be asked for
@@ -91,7 +91,7 @@ struct LightRequest3 {
   friend bool operator==(const LightRequest3&, const LightRequest3&) = default;
 };
 
-// What is asked.
+// A request.
 struct SimulationRequest3 {
   FactorsRequest3 factors{};
   SystemRequest3 system{};
@@ -101,34 +101,34 @@ struct SimulationRequest3 {
   friend bool operator==(const SimulationRequest3&, const SimulationRequest3&) = default;
 };
 
-// True iff the same pairs of materials act alike in both lists. Then the claims of surfaces that overlap are settled as
+// True iff the same pairs of materials act alike in both lists. Then overlapping surfaces own the same places as
 // before, and the arrangement can be shared. REQUIRES equally many materials in both.
 bool are_alike_as_before_3(const std::vector<Material>& before, const std::vector<Material>& now);
 
-// One version of a scene and of what is asked of it, with all results, in stages ("a <- b": b is made from a):
+// One version of a scene and of a request, with all results, in stages ("a <- b": b is computed from a):
 //
 //   prepared <- factors <- system <- radiosities <- light <- picture;   plan, hidden pairs after the factors, and the
 //   estimate of dividing after the radiosities, beside them
 //
-// A version never changes. The first call for a stage makes it, with the stages that it needs; every call returns it as
-// a shared value that outlives the version.
+// A version never changes. The first call for a stage computes it, and the stages that it needs; every call returns it
+// as a shared value that may outlive the version.
 //
 //   (1) every value is a function of scene and request: bit for bit that of a new simulation, whatever was asked or
-//       cancelled before, on any number of threads. (`seconds` in reports are what was measured)
+//       cancelled before, on any number of threads (but `seconds` in reports are measured)
 //   (2) any number of threads may ask one version at once; stages are made, waited for, cancelled and failed as
 //       kernel/support/stage.h says
 //   (3) a version with another request shares the prepared scene. It shares each of plan, factors, lights, system,
-//       radiosities, light and picture if the request asks alike for it and for all that it is made from. Hidden pairs
-//       go with the factors, the estimate of dividing with the radiosities
+//       radiosities, light and picture if the two requests agree on it and on all that it is computed from. Hidden
+//       pairs go with the factors, the estimate of dividing with the radiosities
 //   (4) a version with other materials shares the factors if the same pairs of materials act alike
 //       (are_alike_as_before_3), and the system too if no reflectivity changed; else it is arranged anew, and takes a
 //       copy of the factors
 //   (5) a version with a scene of the same shape shares the arrangement, however surfaces are divided. It shares the
 //       factors too if they are divided alike, and the light of lamps if those stand and shine alike
 //
-// Light and picture are those of the solution on the grid, and made anew wherever the solution is.
-// RequestErrors name the scene's file: where the memory does not suffice, a pair cannot be measured, or one without an
-// enclosure must have one; where `closed` is broken, there is no solution, or none in doubles.
+// Light and picture are computed from the solution, on the grid; they are computed again whenever the solution is.
+// RequestErrors name the scene's file. They are thrown if memory does not suffice, a pair cannot be measured or has no
+// enclosure though it must, the promise `closed` is broken, or there is no solution, or none in doubles.
 class Simulation3 {
  public:
   // Throws InputError naming file, line and surface unless the scene is valid (validate). This and with_request() throw

@@ -285,7 +285,7 @@ std::string RenderedView3::png() const {
 
 std::string RenderedView3::file(PictureFormat format) const {
   if (format == PictureFormat::kPng) return png();
-  if (options_.shading == Shading::kGathered) throw UsageError("gathered light is of pixels: it is written as .png");
+  if (options_.shading == Shading::kGathered) throw UsageError("gathered light has no shapes: write it as .png");
   CairoCanvas canvas(format, width(), height());
   draw(canvas);
   return canvas.finish();

@@ -32,10 +32,10 @@ std::optional<Face> side_at(const Arrangement3& arrangement, const Face& face, c
 Grid3 texel_grid_3(const Scene3& scene, const Face& face, std::uint32_t nu, std::uint32_t nv) {
   const Polygon3& polygon = scene.polygons[face.surface];
   if (!scene.surfaces[face.surface].material_of(face.is_back))
-    throw UsageError("texels are of faces with light, and " + quoted_name(face_name(scene, face)) +
+    throw UsageError("texels are for faces with light, and " + quoted_name(face_name(scene, face)) +
                      " has no material, and no light");
   if (polygon.is_nearly_plane)
-    throw UsageError("texels are of faces that are plane, and " + quoted_name(scene.surfaces[face.surface].name) +
+    throw UsageError("texels are for faces that are plane, and " + quoted_name(scene.surfaces[face.surface].name) +
                      " is so only nearly");
   const Point3& first = polygon.points.front();
   return {first, polygon.points[1] - first, polygon.points.back() - first, nu, nv};

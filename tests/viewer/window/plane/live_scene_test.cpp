@@ -1,4 +1,4 @@
-// Light of a scene while it is edited, what is looked at beside it, and which part of the plane is shown.
+// Light of a scene while it is edited, the result for the view mode, and which part of the plane is shown.
 #include "viewer/window/plane/live_scene.h"
 
 #include <gmock/gmock.h>
@@ -21,7 +21,7 @@
 #include "viewer/edit/plane/scene_edits.h"
 #include "viewer/window/plane/camera.h"
 #include "viewer/window/plane/scene_file.h"
-#include "viewer/window/plane/scene_looks.h"
+#include "viewer/window/plane/scene_views.h"
 
 namespace hottel::live_scene_test {
 namespace {
@@ -448,91 +448,91 @@ TEST(LiveSceneThread, IsAskedByManyWhileItIsSet) {
 
 // What is shown beside the light.
 
-TEST(SceneLooksThread, AreOfTheLastSceneAndTheLastRequestAtRest) {
+TEST(SceneViewsThread, AreOfTheLastSceneAndTheLastRequestAtRest) {
   std::atomic<int> changes = 0;
-  SceneLooks2 looks({}, [&] { ++changes; });
-  EXPECT_TRUE(looks.is_at_rest());
-  EXPECT_FALSE(looks.collect());
+  SceneViews2 views({}, [&] { ++changes; });
+  EXPECT_TRUE(views.is_at_rest());
+  EXPECT_FALSE(views.collect());
   std::mt19937_64 random(3);
   const Scene2 scene = room_with_many_cells();
   for (int k = 0; k < 6; ++k) {
     Scene2 last = scene;
-    LookRequest2 request;
+    ViewRequest2 request;
     for (std::uint64_t n = 0; n <= random() % 5; ++n) {
       last = with_vertex(scene, {2, 1}, {2, 1 + Rational(static_cast<long>(random() % 99)) / 200});
-      looks.set_scene(shared(last), n % 2 == 0 ? LiveDepth2::kFull : LiveDepth2::kCoarse);
-      request = {.look = k % 2 == 0 ? Look2::kVisibility : Look2::kCheck,
+      views.set_scene(shared(last), n % 2 == 0 ? LiveDepth2::kFull : LiveDepth2::kCoarse);
+      request = {.mode = k % 2 == 0 ? ViewMode2::kVisibility : ViewMode2::kCheck,
                  .mouse = Point2{Rational(static_cast<long>(random() % 9)) / 10 + Rational(1, 100), 2}};
-      looks.set_request(request);
-      looks.collect();
+      views.set_request(request);
+      views.collect();
     }
-    looks.set_scene(shared(last), LiveDepth2::kFull);
-    ASSERT_TRUE(looks.wait(kPatience));
-    EXPECT_TRUE(looks.is_at_rest());
-    EXPECT_TRUE(looks.collect());  // wait() has kept that there was something
-    EXPECT_FALSE(looks.collect());
-    expect_fresh(looks.state(), last);
-    EXPECT_EQ(looks.lit().get(), &looks.state());
-    ASSERT_NE(looks.result(), nullptr);
-    EXPECT_EQ(looks.result()->request, request);
-    EXPECT_EQ(looks.result()->version, looks.state().version);
-    EXPECT_EQ(looks.result()->lines, look_at(looks.state(), request, [](auto, double) {}).lines);
+    views.set_scene(shared(last), LiveDepth2::kFull);
+    ASSERT_TRUE(views.wait(kPatience));
+    EXPECT_TRUE(views.is_at_rest());
+    EXPECT_TRUE(views.collect());  // wait() has kept that there was something
+    EXPECT_FALSE(views.collect());
+    expect_fresh(views.state(), last);
+    EXPECT_EQ(views.lit().get(), &views.state());
+    ASSERT_NE(views.result(), nullptr);
+    EXPECT_EQ(views.result()->request, request);
+    EXPECT_EQ(views.result()->version, views.state().version);
+    EXPECT_EQ(views.result()->lines, compute_view(views.state(), request, [](auto, double) {}).lines);
   }
   EXPECT_GT(changes, 0);
 }
 
-TEST(SceneLooksThread, HaveTheTextureOfTheLightAndTheTone) {
-  SceneLooks2 looks({}, [] {});
-  looks.set_scene(shared(small_room()), LiveDepth2::kFull);
+TEST(SceneViewsThread, HaveTheTextureOfTheLightAndTheTone) {
+  SceneViews2 views({}, [] {});
+  views.set_scene(shared(small_room()), LiveDepth2::kFull);
   for (const std::uint32_t pixels : {1u, 3u, 2u})
     for (const Tone tone : {Tone::kLog, Tone::kLinear}) {
-      looks.set_tone({tone, 1.5}, pixels);
-      ASSERT_TRUE(looks.wait(kPatience));
-      ASSERT_NE(looks.texture(), nullptr);
-      EXPECT_EQ(looks.texture()->raster, light_texture_2(*looks.lit(), {tone, 1.5}, pixels)) << pixels;
-      EXPECT_EQ(looks.texture()->raster.width, looks.lit()->light->grid.grid.nx * pixels);
+      views.set_tone({tone, 1.5}, pixels);
+      ASSERT_TRUE(views.wait(kPatience));
+      ASSERT_NE(views.texture(), nullptr);
+      EXPECT_EQ(views.texture()->raster, light_texture_2(*views.lit(), {tone, 1.5}, pixels)) << pixels;
+      EXPECT_EQ(views.texture()->raster.width, views.lit()->light->grid.grid.nx * pixels);
     }
 }
 
-TEST(SceneLooksThread, KeepTheLastLightOfAnInvalidScene) {
-  SceneLooks2 looks({}, [] {});
-  looks.set_scene(shared(small_room()), LiveDepth2::kFull);
-  ASSERT_TRUE(looks.wait(kPatience));
-  const auto lit = looks.lit();
-  const Raster texture = looks.texture()->raster;
-  looks.set_scene(shared(parse_scene_2(bad_scenes()[0].text, "bad.json")), LiveDepth2::kFull);
-  ASSERT_TRUE(looks.wait(kPatience));
-  EXPECT_NE(looks.state().problem, "");
-  EXPECT_EQ(looks.lit(), lit);
-  EXPECT_EQ(looks.texture()->raster, texture);
+TEST(SceneViewsThread, KeepTheLastLightOfAnInvalidScene) {
+  SceneViews2 views({}, [] {});
+  views.set_scene(shared(small_room()), LiveDepth2::kFull);
+  ASSERT_TRUE(views.wait(kPatience));
+  const auto lit = views.lit();
+  const Raster texture = views.texture()->raster;
+  views.set_scene(shared(parse_scene_2(bad_scenes()[0].text, "bad.json")), LiveDepth2::kFull);
+  ASSERT_TRUE(views.wait(kPatience));
+  EXPECT_NE(views.state().problem, "");
+  EXPECT_EQ(views.lit(), lit);
+  EXPECT_EQ(views.texture()->raster, texture);
 }
 
-TEST(SceneLooksThread, ForgetTheNumberOfAMouseThatHasGone) {
-  SceneLooks2 looks({}, [] {});
-  looks.set_scene(shared(small_room()), LiveDepth2::kFull);
-  looks.set_request({.mouse = Point2{2, Rational(1, 2)}});
-  ASSERT_TRUE(looks.wait(kPatience));
-  ASSERT_NE(looks.result(), nullptr);
-  EXPECT_NE(looks.result()->number, "");
-  looks.set_request({});
-  ASSERT_TRUE(looks.wait(kPatience));
-  EXPECT_EQ(looks.result(), nullptr);
+TEST(SceneViewsThread, ForgetTheNumberOfAMouseThatHasGone) {
+  SceneViews2 views({}, [] {});
+  views.set_scene(shared(small_room()), LiveDepth2::kFull);
+  views.set_request({.mouse = Point2{2, Rational(1, 2)}});
+  ASSERT_TRUE(views.wait(kPatience));
+  ASSERT_NE(views.result(), nullptr);
+  EXPECT_NE(views.result()->number, "");
+  views.set_request({});
+  ASSERT_TRUE(views.wait(kPatience));
+  EXPECT_EQ(views.result(), nullptr);
 }
 
-TEST(SceneLooksThread, EndAtAnyMoment) {
+TEST(SceneViewsThread, EndAtAnyMoment) {
   std::mt19937_64 random(11);
   const Scene2 scene = room_with_many_cells();
   for (int k = 0; k < kHammer / 3; ++k) {
-    SceneLooks2 looks({}, [] {});
+    SceneViews2 views({}, [] {});
     for (std::uint64_t n = 0; n <= random() % 4; ++n) {
-      looks.set_scene(shared(with_white(scene, Rational(static_cast<long>(random() % 9)) / 10)), LiveDepth2::kFull);
-      looks.set_request({.look = static_cast<Look2>(random() % kLooks2),
+      views.set_scene(shared(with_white(scene, Rational(static_cast<long>(random() % 9)) / 10)), LiveDepth2::kFull);
+      views.set_request({.mode = static_cast<ViewMode2>(random() % kViewModes2),
                          .mouse = Point2{1, Rational(static_cast<long>(random() % 29)) / 10},
                          .face = face_name(scene, {0, false}),
                          .other = face_name(scene, {2, false})});
       std::this_thread::sleep_for(std::chrono::microseconds(random() % 30000));
-      looks.collect();
-      looks.set_tone({Tone::kLog, 1 + static_cast<double>(n)}, 2);
+      views.collect();
+      views.set_tone({Tone::kLog, 1 + static_cast<double>(n)}, 2);
     }
   }
 }

@@ -1,4 +1,4 @@
-// A hand on a desk in space, without a screen.
+// A hand on a viewer in space, without a screen.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@
 #include "tests/temporary_folder.h"
 #include "viewer/window/recording_window.h"
 #include "viewer/window/script_player.h"
-#include "viewer/window/space/desk.h"
+#include "viewer/window/space/viewer.h"
 
-namespace hottel::testing_desk {
+namespace hottel::testing_viewer {
 
 // A room of 2 x 2 x 2 with a solid box on its floor and a lamp below its ceiling.
 inline constexpr const char* kRoom = R"({"hottel": 1, "dimension": 3,
@@ -40,8 +40,9 @@ class Hand {
  public:
   explicit Hand(const std::string& scene = kRoom) : window({400, 300}) {
     std::ofstream(file()) << scene;
-    desk.emplace(DeskSource3{file(), [path = file()] { return read_scene_3(path); }}, window, FactorsRequest3{}, 1.0);
-    desk->settle(kPatience);
+    viewer.emplace(ViewerSource3{file(), [path = file()] { return read_scene_3(path); }}, window, FactorsRequest3{},
+                   1.0);
+    viewer->settle(kPatience);
   }
 
   std::filesystem::path file() const { return folder / "room.json"; }
@@ -50,24 +51,26 @@ class Hand {
   // Does the steps of a script; returns what it prints.
   std::string play(const std::string& script) {
     std::string printed;
-    play_script(parse_script(script, "hand.txt"), "hand.txt", *desk, window,
+    play_script(parse_script(script, "hand.txt"), "hand.txt", *viewer, window,
                 {.print = [&printed](const std::string& line) { printed += line + "\n"; }});
     return printed;
   }
   const Material& material(const std::string& name) const {
-    return *std::ranges::find(desk->scene()->materials, name, &Material::name);
+    return *std::ranges::find(viewer->scene()->materials, name, &Material::name);
   }
-  std::string picked() const { return desk->request().face ? face_name(*desk->scene(), *desk->request().face) : ""; }
+  std::string picked() const {
+    return viewer->request().face ? face_name(*viewer->scene(), *viewer->request().face) : "";
+  }
 
-  // All that can be asked of the desk but the frame, in which times are written.
+  // All that can be asked of the viewer but the frame, in which times are written.
   std::string signature() const {
-    const Camera3 camera = desk->camera().camera({400, 300});
-    std::string text = write_scene_3(*desk->scene()) + "|" + desk->message() + "|" +
-                       (desk->prompt() ? desk->prompt()->question + desk->prompt()->text : "") + "|" +
-                       to_string(desk->request().look) + "|" + desk->request().method + "|" +
-                       to_string(desk->request().solver) + picked() + std::to_string(static_cast<int>(desk->tone())) +
-                       " " + std::to_string(desk->exposure()) + (desk->is_smooth() ? "smooth" : "flat") +
-                       (desk->wants_quit() ? " quits" : "");
+    const Camera3 camera = viewer->camera().camera({400, 300});
+    std::string text = write_scene_3(*viewer->scene()) + "|" + viewer->message() + "|" +
+                       (viewer->prompt() ? viewer->prompt()->question + viewer->prompt()->text : "") + "|" +
+                       to_string(viewer->request().mode) + "|" + viewer->request().method + "|" +
+                       to_string(viewer->request().solver) + picked() +
+                       std::to_string(static_cast<int>(viewer->tone())) + " " + std::to_string(viewer->exposure()) +
+                       (viewer->is_smooth() ? "smooth" : "flat") + (viewer->wants_quit() ? " quits" : "");
     for (const Point3& p : {camera.eye, camera.target})
       text += " " + to_string(p.x) + " " + to_string(p.y) + " " + to_string(p.z);
     const std::string here = (folder / "").string();
@@ -79,7 +82,7 @@ class Hand {
   static constexpr double kPatience = 300;
   TemporaryFolder folder;
   RecordingWindow window;
-  std::optional<Desk3> desk;
+  std::optional<Viewer3> viewer;
 };
 
-}  // namespace hottel::testing_desk
+}  // namespace hottel::testing_viewer

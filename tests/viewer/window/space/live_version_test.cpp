@@ -13,12 +13,12 @@
 #include "io/scene/scene_json.h"
 #include "tests/viewer/window/space/hand.h"
 #include "viewer/window/space/live_scene.h"
-#include "viewer/window/space/look.h"
+#include "viewer/window/space/view_mode.h"
 
 namespace hottel::live_version_test {
 namespace {
 
-using testing_desk::kRoom;
+using testing_viewer::kRoom;
 
 const StageProgress kAnyProgress = [](std::string_view, double) {};
 constexpr double kPatience = 300;
@@ -49,7 +49,7 @@ void expect_whole(const LiveVersion3& version) {
 }
 
 // Other materials are alike than before, so factors are on their way while the light of the version before is shown:
-// each look is of that one alone.
+// each view mode is of that one alone.
 TEST(LiveScene3Thread, AVersionStaysWholeUntilTheNextHasItsLight) {
   LiveScene3 live(by_elements(), nullptr);
   const auto before = divided_room(3), after = divided_room(3, "1/2");
@@ -65,8 +65,8 @@ TEST(LiveScene3Thread, AVersionStaysWholeUntilTheNextHasItsLight) {
     ASSERT_TRUE(live.state().is_lit());
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
     if (!is_first && live.state().version == seen.back()) continue;
-    for (const LookKind3 look : {LookKind3::kRadiosity, LookKind3::kIrradiance}) {
-      const LookResult3 result = look_at_3(live.state().version, {.look = look}, kAnyProgress);
+    for (const ViewMode3 mode : {ViewMode3::kRadiosity, ViewMode3::kIrradiance}) {
+      const ViewResult3 result = compute_view_3(live.state().version, {.mode = mode}, kAnyProgress);
       ASSERT_TRUE(result.shown);
       EXPECT_EQ(result.shown->elements.size(), result.version->model().table().count());
     }
