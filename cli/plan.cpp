@@ -1,5 +1,6 @@
 // hottel plan: what solve would simulate of a scene, and what not.
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -13,9 +14,10 @@
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "geometry/plane/prepared/element_table.h"
 #include "geometry/scene_names.h"
+#include "io/files/disk_space.h"
 #include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
-#include "io/sums/plane/sum_folder.h"
+#include "io/sums/plane/exact_on_disk.h"
 #include "kernel/support/failure.h"
 #include "solver/plan_speed.h"
 #include "solver/plane/light/light_values.h"
@@ -32,6 +34,7 @@ struct PlanOptions {
   ElementOptions elements;
   PolygonOptions polygons;
   SkyOption sky;
+  std::string out_of_core;
   std::optional<std::uint64_t> memory;
   bool json = false;
 };
@@ -41,7 +44,9 @@ struct PlanOptions {
 struct Planned {
   std::shared_ptr<const Plan> effects;
   std::optional<PlannedMemory> memory;
-  std::optional<PlannedLists> lists;  // in the plane, beside the memory; seconds of one core
+  // In the plane, beside the memory; seconds of one core, those of the second what the disk adds.
+  std::optional<PlannedLists> lists;
+  std::optional<PlannedOnDisk> on_disk;
 };
 
 // cells: of the grid.
@@ -49,12 +54,14 @@ template <class AnyScene>
 std::optional<PlannedMemory> memory_of(const PlanOptions& options, const AnyScene& scene, std::uint64_t cells) {
   MemoryQuestion question = solving_question(scene);
   question.cells = cells;
-  if (!options.memory && !is_divided(scene)) return std::nullopt;
+  question.pairs_on_disk = !options.out_of_core.empty();
+  const bool is_asked = options.memory || question.pairs_on_disk;
+  if (!is_asked && !is_divided(scene)) return std::nullopt;
   const MemoryLimits limits = memory_limits(options.memory.value_or(0));
-  const double room = options.memory ? 0 : static_cast<double>(limits.of_all);
+  const double room = is_asked ? 0 : static_cast<double>(limits.of_all);
   MemoryEstimate estimate = estimate_memory(scene, question, room);
   std::string problem = memory_problem(estimate, limits);
-  if (!options.memory && problem.empty()) return std::nullopt;
+  if (!is_asked && problem.empty()) return std::nullopt;
   return PlannedMemory{std::move(estimate), limits, std::move(problem)};
 }
 
@@ -80,6 +87,16 @@ PlannedLists lists_of(const Simulation2& simulation, const MemoryEstimate& memor
   return lists_of(pairs, "visible pairs", vertices);
 }
 
+PlannedOnDisk on_disk_of(const PlanOptions& options, const Scene2& scene, double pairs) {
+  const auto memory = static_cast<double>(memory_limits(options.memory.value_or(0)).of_factors);
+  return {.folder = options.out_of_core,
+          .pairs = pairs,
+          .memory_bytes = memory_beside_disk(scene, pairs, memory),
+          .disk_bytes = static_cast<double>(disk_for_radiosities_2(static_cast<std::uint64_t>(pairs), false)),
+          .free = free_space(std::filesystem::path(options.out_of_core) / "sums"),
+          .seconds = seconds_on_disk_2(pairs)};
+}
+
 // What of light is asked for in space.
 PlanRequest light_of(const PlanOptions& options, const Scene3& scene, std::uint64_t cells) {
   PlanRequest request{.grid_cells = cells,
@@ -102,17 +119,20 @@ Planned plan_of(const PlanOptions& options, Scene2 scene) {
     if (is_given) throw UsageError(std::string(option) + " is only for scenes in space");
   options.elements.apply_to(scene);
   scene.grids = grids_of(scene, options.grid);
-  Planned result{nullptr, memory_of(options, scene, cells_of(scene.grids)), {}};
+  Planned result{nullptr, memory_of(options, scene, cells_of(scene.grids)), {}, {}};
   const Simulation2 simulation(std::move(scene), {.light = *light_kind_2(options.illumination)});
   if (is_had(result.memory)) result.effects = simulation.plan();
   if (result.memory) result.lists = lists_of(simulation, result.memory->estimate, result.effects != nullptr);
+  if (!options.out_of_core.empty() && result.effects)
+    result.on_disk = on_disk_of(options, simulation.scene(), result.lists->pairs);
   return result;
 }
 
 Planned plan_of(const PlanOptions& options, Scene3 scene) {
+  if (!options.out_of_core.empty()) throw UsageError("--out-of-core is of scenes in the plane");
   options.elements.apply_to(scene);
   const std::uint64_t cells = cells_of(grids_of(scene, options.grid));
-  Planned result{nullptr, memory_of(options, scene, cells), {}};
+  Planned result{nullptr, memory_of(options, scene, cells), {}, {}};
   const PlanRequest light = light_of(options, scene, cells);
   if (is_had(result.memory))
     result.effects = Simulation3(std::move(scene), {.factors = {.sky = options.sky.in_space()}, .plan = light}).plan();
@@ -126,11 +146,16 @@ ExitCode plan(const PlanOptions& options, Streams& streams) {
   std::optional<Plan> here;
   if (planned.effects) here = plan_at_speed(*planned.effects, speed);
   if (planned.lists) planned.lists->seconds = shared_seconds(planned.lists->seconds, speed);
+  if (planned.on_disk) {
+    planned.on_disk->seconds = shared_seconds(planned.on_disk->seconds, speed);
+    for (const PlannedEffect& effect : here->effects()) planned.on_disk->seconds += effect.seconds_estimate;
+  }
   const Plan* const effects = here ? &*here : nullptr;
   const PlannedMemory* const memory = planned.memory ? &*planned.memory : nullptr;
   const PlannedLists* const lists = planned.lists ? &*planned.lists : nullptr;
-  streams.write("",
-                options.json ? plan_json(options.scene, effects, memory, lists) : plan_text(effects, memory, lists));
+  const PlannedOnDisk* const on_disk = planned.on_disk ? &*planned.on_disk : nullptr;
+  streams.write("", options.json ? plan_json(options.scene, effects, memory, lists, on_disk)
+                                 : plan_text(effects, memory, lists, on_disk));
   return ExitCode::kDone;
 }
 
@@ -142,7 +167,8 @@ void add_plan(Commands& commands) {
       "plan", "What solve would simulate, what not, why, and what it costs",
       {"hottel plan scenes/showcase/apartment.json", "hottel plan scenes/analytic/square_radiosity.json --json",
        "hottel plan scenes/space/two_boxes.json --elements 4",
-       "hottel plan scenes/space/two_boxes.json --elements 1000 --memory 8000000000"},
+       "hottel plan scenes/space/two_boxes.json --elements 1000 --memory 8000000000",
+       "hottel plan scenes/showcase/apartment.json --elements 100 --out-of-core /tmp"},
       [options](Streams& streams) { return plan(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
   options->elements.add_to(command);
@@ -162,6 +188,10 @@ void add_plan(Commands& commands) {
       ->capture_default_str();
   command.add_option("--texels", options->texels, "in space, a face and its texels, as solve would be asked for them")
       ->type_name("NAME=NXxNY");
+  command
+      .add_option("--out-of-core", options->out_of_core,
+                  "in the plane: tell what memory, disk and time solve takes with view factors in files of this folder")
+      ->type_name("DIR");
   command
       .add_option(
           "--memory", options->memory,

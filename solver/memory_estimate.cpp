@@ -53,7 +53,8 @@ MemoryEstimate::MemoryEstimate(std::vector<CountedFace> faces, const MemoryQuest
     }
   }
   stages_.push_back({"elements", elements, "elements beside the faces", of_factors_});
-  stages_.push_back({"view factors", pairs_, unit, pairs_ * bytes_of_pair});
+  stages_.push_back({"view factors", pairs_, std::string(unit) + (question.pairs_on_disk ? ", on disk" : ""),
+                     pairs_ * bytes_of_pair});
   known_pairs_ = are_known ? pairs_ : 0;
   peak_ = of_factors_ + pairs_ * bytes_of_pair;
   of_factors_ += known_pairs_ * bytes_of_pair;

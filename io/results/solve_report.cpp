@@ -71,14 +71,16 @@ FactorCounts factor_counts(const ExchangeReport& report) {
 }
 
 std::string plan_json(const std::string& scene, const Plan* plan, const PlannedMemory* memory,
-                      const PlannedLists* lists) {
+                      const PlannedLists* lists, const PlannedOnDisk* on_disk) {
   nlohmann::ordered_json json = report_head(scene, plan);
   if (memory != nullptr) json["memory"] = memory_object(*memory);
   if (lists != nullptr) json["lists"] = lists_object(*lists);
+  if (on_disk != nullptr) json["out_of_core"] = on_disk_object(*on_disk);
   return json.dump(2) + "\n";
 }
 
-std::string plan_text(const Plan* plan, const PlannedMemory* memory, const PlannedLists* lists) {
+std::string plan_text(const Plan* plan, const PlannedMemory* memory, const PlannedLists* lists,
+                      const PlannedOnDisk* on_disk) {
   std::string text = plan != nullptr ? "plan\n" : "";
   for (const PlannedEffect& effect : plan != nullptr ? plan->effects() : std::vector<PlannedEffect>())
     text += fmt::format("  {:<24}{:<12}{}{}\n", effect.effect,
@@ -88,7 +90,8 @@ std::string plan_text(const Plan* plan, const PlannedMemory* memory, const Plann
                         effect.reason,
                         effect.seconds_estimate > 0 ? fmt::format(" (about {:.2g} s)", effect.seconds_estimate) : "");
   if (memory != nullptr) text += memory_text(*memory);
-  return lists != nullptr ? text + lists_text(*lists) : text;
+  if (lists != nullptr) text += lists_text(*lists);
+  return on_disk != nullptr ? text + on_disk_text(*on_disk) : text;
 }
 
 namespace {

@@ -12,6 +12,7 @@
 #include "geometry/exchange_report.h"
 #include "geometry/sky_by_closure.h"
 #include "io/results/planned_lists.h"
+#include "io/results/planned_on_disk.h"
 #include "io/results/radiosity_files.h"
 #include "io/results/store_report.h"
 #include "io/results/temperature_files.h"
@@ -30,9 +31,10 @@ struct PlannedMemory {
 
 // Returns a plan as text for people, a line an effect or a stage of memory, and as the head of a report: one JSON
 // object. What is null is left out: of the object the list of effects is empty then.
-std::string plan_text(const Plan* plan, const PlannedMemory* memory, const PlannedLists* lists = nullptr);
+std::string plan_text(const Plan* plan, const PlannedMemory* memory, const PlannedLists* lists = nullptr,
+                      const PlannedOnDisk* on_disk = nullptr);
 std::string plan_json(const std::string& scene, const Plan* plan, const PlannedMemory* memory,
-                      const PlannedLists* lists = nullptr);
+                      const PlannedLists* lists = nullptr, const PlannedOnDisk* on_disk = nullptr);
 inline std::string plan_text(const Plan& plan) { return plan_text(&plan, nullptr); }
 
 // What is told of the view factors that a solution rests on, whatever the dimension: which means settled how many

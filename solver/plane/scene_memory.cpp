@@ -1,5 +1,8 @@
 #include "solver/plane/scene_memory.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "geometry/plane/exchange/pair_estimate.h"
 
@@ -8,6 +11,11 @@ namespace {
 
 // An element in the arrangement and in the tables; a pair in both of its rows.
 constexpr double kBytesPerElement = 1500, kBytesPerKeptPair = 64;
+
+// Beside what is on disk: the program; an edge with what is prepared of it; a row, and what it has of each channel; a
+// sum while it is summed up. Of the memory that is allowed sums take a half.
+constexpr double kBytesOfProgram = 4e7, kBytesPerEdge = 2500, kBytesPerRow = 600, kBytesPerRowAndChannel = 400,
+                 kBytesPerSum = 96, kPartForSums = 0.5;
 
 }  // namespace
 
@@ -22,6 +30,16 @@ MemoryEstimate estimate_memory(const Scene2& scene, const MemoryQuestion& questi
 
 void require_memory(const Scene2& scene, const MemoryQuestion& question, std::uint64_t memory) {
   require_memory_for(scene, question, memory, [&](double room) { return estimate_memory(scene, question, room); });
+}
+
+double memory_beside_disk(const Scene2& scene, double pairs, double memory) {
+  const std::vector<CountedFace> faces = counted_faces_2(scene, Granularity::kElement);
+  const ElementPairCounts counts = pair_counts(faces);
+  const double prepared = static_cast<double>(scene.surfaces.size()) * kBytesPerEdge +
+                          (counts.elements - static_cast<double>(faces.size())) * kBytesPerElement;
+  const double sums = std::min(memory * kPartForSums, pairs * kBytesPerSum);
+  const double solution = counts.rows * (kBytesPerRow + channel_count(scene) * kBytesPerRowAndChannel);
+  return kBytesOfProgram + prepared + std::max(sums, solution);
 }
 
 }  // namespace hottel

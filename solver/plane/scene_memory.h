@@ -16,4 +16,8 @@ MemoryEstimate estimate_memory(const Scene2& scene, const MemoryQuestion& questi
 // before any element is made. memory: as asked for, 0 where it was not.
 void require_memory(const Scene2& scene, const MemoryQuestion& question, std::uint64_t memory);
 
+// Bytes that `solve` takes at the most, the program and the scene included, where factors are on disk: within a factor
+// of 1.5. pairs: that see each other; memory: what is allowed for sums of them.
+double memory_beside_disk(const Scene2& scene, double pairs, double memory);
+
 }  // namespace hottel

@@ -15,10 +15,11 @@ namespace hottel {
 namespace {
 
 // What the showcase and generated scenes take, on one core of the machine of benchmarks/results.
-constexpr double kSecondsPerVertex = 5.0e-6;     // of the arrangement
-constexpr double kSecondsPerPair = 1.2e-6;       // of factors, where something may hide others
-constexpr double kSecondsPerSight = 5.0e-8;      // of a vertex, from another
-constexpr double kSecondsPerPlainPair = 5.0e-7;  // that is not rounded correctly
+constexpr double kSecondsPerVertex = 5.0e-6;      // of the arrangement
+constexpr double kSecondsPerPair = 1.2e-6;        // of factors, where something may hide others
+constexpr double kSecondsPerSight = 5.0e-8;       // of a vertex, from another
+constexpr double kSecondsPerPlainPair = 5.0e-7;   // that is not rounded correctly
+constexpr double kSecondsPerPairOnDisk = 2.5e-7;  // to be written, read again, and rounded once more
 constexpr double kSecondsPerCell = 2.0e-7;
 constexpr double kSecondsPerCellAndSeen = 1.2e-8;
 constexpr double kTimesOfAnAverage = 16;  // what an average over a cell costs over the light at its centre
@@ -49,6 +50,8 @@ std::uint64_t picture_pixels_2(const Grid2& grid) {
 double seconds_of_factors_2(double vertices, double pairs) {
   return vertices * kSecondsPerVertex + pairs * kSecondsPerPair;
 }
+
+double seconds_on_disk_2(double pairs) { return pairs * kSecondsPerPairOnDisk; }
 
 Plan plan_scene(const PreparedScene2& prepared, const PlanRequest& request) {
   const Scene2& scene = prepared.scene;

@@ -21,4 +21,7 @@ std::uint64_t picture_pixels_2(const Grid2& grid);
 // Seconds of one core that the exact factors of so many pairs take, the arrangement of so many vertices included.
 double seconds_of_factors_2(double vertices, double pairs);
 
+// What it adds where so many pairs are on disk meanwhile.
+double seconds_on_disk_2(double pairs);
+
 }  // namespace hottel

@@ -5,12 +5,23 @@
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
 #include "solver/radiosity/approximate_inverse.h"
+#include "solver/radiosity/block_sums.h"
 #include "solver/radiosity/symmetric_rows.h"
 
 namespace hottel {
 namespace {
 
-constexpr std::size_t kGrain = 64;  // rows a task
+constexpr std::size_t kGrain = 64;         // rows a task
+constexpr std::size_t kGrainOfOne = 4096;  // the same where a row is a few additions
+
+template <class F>
+void of_each(std::size_t n, const F& f) {
+  parallel_for(n, f, kGrainOfOne);
+}
+
+double inner_product(const std::vector<double>& a, const std::vector<double>& b) {
+  return block_sum(a.size(), [&](std::size_t i) { return a[i] * b[i]; });
+}
 
 class ConjugateGradient : public ApproximateInverse {
  public:
@@ -24,33 +35,31 @@ class ConjugateGradient : public ApproximateInverse {
     const std::size_t n = rows_.weight.size();
     Correction x{constants(r_of_rows), std::vector<double>(n, 0)};
     std::vector<double> r(n, 0), z(n), p(n, 0), kp(n);
-    for (std::size_t i = 0; i < n; ++i)
+    of_each(n, [&](std::size_t i) {
       if (wanted(i)) r[i] = rows_.weight[i] * r_of_rows[i] - x.constant[rows_.component[i]] * rows_.defect[i];
-    double right_side = 0;
-    for (std::size_t i = 0; i < n; ++i) right_side = std::max(right_side, std::abs(r_of_rows[i]));
+    });
+    const double right_side = block_largest(n, [&](std::size_t i) { return std::abs(r_of_rows[i]); });
     double before = 0;
     for (int iteration = 0;; ++iteration) {
       throw_if_interrupted();
       const double residual = largest(r) / (right_side > 0 ? right_side : 1);
       if (history_) history_->push_back(residual);
       if (iteration == limits_.iterations || residual <= limits_.until) break;
-      for (std::size_t i = 0; i < n; ++i) z[i] = r[i] == 0 ? 0 : r[i] / (rows_.coupling[i] + rows_.defect[i]);
+      of_each(n, [&](std::size_t i) { z[i] = r[i] == 0 ? 0 : r[i] / (rows_.coupling[i] + rows_.defect[i]); });
       deflate(z);
-      double now = 0;
-      for (std::size_t i = 0; i < n; ++i) now += r[i] * z[i];
+      const double now = inner_product(r, z);
       if (!(now > 0)) break;
       const double beta = iteration == 0 ? 0 : now / before;
-      for (std::size_t i = 0; i < n; ++i) p[i] = z[i] + beta * p[i];
+      of_each(n, [&](std::size_t i) { p[i] = z[i] + beta * p[i]; });
       before = now;
       multiply(p, kp);
-      double curvature = 0;
-      for (std::size_t i = 0; i < n; ++i) curvature += p[i] * kp[i];
+      const double curvature = inner_product(p, kp);
       if (!(curvature > 0)) break;
       const double step = now / curvature;
-      for (std::size_t i = 0; i < n; ++i) {
+      of_each(n, [&](std::size_t i) {
         x.rest[i] += step * p[i];
         r[i] -= step * kp[i];
-      }
+      });
     }
     fold(r_of_rows, x);
     return x;
@@ -95,9 +104,8 @@ class ConjugateGradient : public ApproximateInverse {
 
   // The multiple of 1 in each component after which the residuals of its rows sum to 0.
   std::vector<double> constants(const std::vector<double>& r) const {
-    std::vector<double> result(defects_.size(), 0);
-    for (std::size_t i = 0; i < r.size(); ++i)
-      if (wanted(i)) result[rows_.component[i]] += rows_.weight[i] * r[i];
+    std::vector<double> result = block_sums(rows_.component, defects_.size(),
+                                            [&](std::size_t i) { return wanted(i) ? rows_.weight[i] * r[i] : 0; });
     for (std::size_t c = 0; c < result.size(); ++c)
       if (defects_[c] > 0) result[c] /= defects_[c];
     return result;
@@ -105,19 +113,17 @@ class ConjugateGradient : public ApproximateInverse {
 
   // Makes z orthogonal to the constant of each component in the sense of K.
   void deflate(std::vector<double>& z) const {
-    std::vector<double> mean(defects_.size(), 0);
-    for (std::size_t i = 0; i < z.size(); ++i)
-      if (wanted(i)) mean[rows_.component[i]] += rows_.defect[i] * z[i];
+    std::vector<double> mean = block_sums(rows_.component, defects_.size(),
+                                          [&](std::size_t i) { return wanted(i) ? rows_.defect[i] * z[i] : 0; });
     for (std::size_t c = 0; c < mean.size(); ++c)
       if (defects_[c] > 0) mean[c] /= defects_[c];
-    for (std::size_t i = 0; i < z.size(); ++i)
+    of_each(z.size(), [&](std::size_t i) {
       if (wanted(i)) z[i] -= mean[rows_.component[i]];
+    });
   }
 
   double largest(const std::vector<double>& r) const {
-    double result = 0;
-    for (std::size_t i = 0; i < r.size(); ++i) result = std::max(result, std::abs(r[i]) / rows_.weight[i]);
-    return result;
+    return block_largest(r.size(), [&](std::size_t i) { return std::abs(r[i]) / rows_.weight[i]; });
   }
 
   void multiply(const std::vector<double>& p, std::vector<double>& kp) const {

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <climits>
-#include <numeric>
+#include <cmath>
 #include <span>
 
+#include "kernel/support/disjoint_sets.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 
@@ -81,32 +83,61 @@ bool may_be_closed(const ExchangeMatrix& matrix, std::uint32_t i) {
   return least.lower() <= 1 && most.upper() >= 1;
 }
 
+// The first row of which something is true; matrix.size() where there is none. The same for any number of threads.
+template <class IsTrue>
+std::uint32_t first_row(const ExchangeMatrix& matrix, const IsTrue& is_true) {
+  std::atomic<std::uint32_t> first{matrix.size()};
+  parallel_ranges(matrix.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<std::uint32_t>(begin); i < end && i < first; ++i) {
+      if (!is_true(i)) continue;
+      for (std::uint32_t there = first; i < there && !first.compare_exchange_weak(there, i);) continue;
+    }
+  });
+  return first;
+}
+
 // See rows_are_closed().
 bool rows_may_be_closed(const ExchangeMatrix& matrix) {
   if (matrix.guarantee() == Guarantee::kEstimated) return false;
-  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-    if (!matrix.has_row(i) || may_be_closed(matrix, i)) continue;
-    if (matrix.guarantee() == Guarantee::kExact)
-      throw ContractViolation(fmt::format("exact factors of '{}' must sum to 1", matrix.elements()[i].name));
-    if (matrix.has_closed_rows() && !matrix.row(i).empty())
-      throw ContractViolation(
-          fmt::format("no factors of '{}' within their bounds sum to 1", matrix.elements()[i].name));
-    return false;
-  }
-  return true;
+  const std::uint32_t open =
+      first_row(matrix, [&](std::uint32_t i) { return matrix.has_row(i) && !may_be_closed(matrix, i); });
+  if (open == matrix.size()) return true;
+  const std::string& name = matrix.elements()[open].name;
+  if (matrix.guarantee() == Guarantee::kExact)
+    throw ContractViolation(fmt::format("exact factors of '{}' must sum to 1", name));
+  if (matrix.has_closed_rows() && !matrix.row(open).empty())
+    throw ContractViolation(fmt::format("no factors of '{}' within their bounds sum to 1", name));
+  return false;
+}
+
+void require_numbers(const ExchangeMatrix& matrix) {
+  const auto is_none = [](double factor) { return !std::isfinite(factor); };
+  const std::uint32_t row =
+      first_row(matrix, [&](std::uint32_t i) { return std::ranges::any_of(matrix.row(i).factors(), is_none); });
+  if (row == matrix.size()) return;
+  throw RequestError(fmt::format("a factor of '{}' is {}: nothing can be solved", matrix.elements()[row].name,
+                                 *std::ranges::find_if(matrix.row(row).factors(), is_none)));
+}
+
+bool has_negative(const ExchangeMatrix& matrix) {
+  const auto is_negative = [](double factor) { return factor < 0; };
+  return first_row(matrix, [&](std::uint32_t i) { return std::ranges::any_of(matrix.row(i).factors(), is_negative); }) <
+         matrix.size();
+}
+
+// 1 - rho * (the sum of the row), of a row as it is.
+DoubleDoubleBall loss_of(const FactorRow& factors, const DoubleDoubleBall& reflectivity) {
+  DoubleDoubleBall sum_of_row;
+  for (const FactorEntry& entry : factors) sum_of_row = sum(sum_of_row, DoubleDoubleBall::of(entry.factor));
+  return difference({1, 0, 0}, product(reflectivity, sum_of_row));
 }
 
 }  // namespace
 
 RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector<Rational>& reflectivities)
     : matrix_(&matrix), rows_are_closed_(rows_may_be_closed(matrix)), unknown_(matrix.size() + 1, -1) {
-  for (std::uint32_t i = 0; i < matrix.size(); ++i)
-    for (const FactorEntry& entry : matrix.row(i)) {
-      if (!std::isfinite(entry.factor.value))
-        throw RequestError(fmt::format("a factor of '{}' is {}: nothing can be solved", matrix.elements()[i].name,
-                                       entry.factor.value));
-      has_negative_factors_ |= entry.factor.value < 0;
-    }
+  require_numbers(matrix);
+  has_negative_factors_ = has_negative(matrix);
   std::vector<DoubleDoubleBall> reflectivity(reflectivities.size()), loss(reflectivities.size());
   for (std::size_t m = 0; m < reflectivities.size(); ++m) {
     const Rational& rho = reflectivities[m];
@@ -121,46 +152,41 @@ RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector
     HOTTEL_REQUIRE(m < reflectivities.size());
     if (reflectivities[m] == 0) continue;
     unknown_[i] = static_cast<std::int32_t>(rows_.size());
-    SystemRow row{i, 0, reflectivity[m], loss[m]};
-    if (!rows_are_closed()) {
-      // Rows as they are: loss = 1 - rho * sum.
-      DoubleDoubleBall sum_of_row;
-      for (const FactorEntry& entry : matrix.row(i)) sum_of_row = sum(sum_of_row, DoubleDoubleBall::of(entry.factor));
-      row.loss = difference({1, 0, 0}, product(row.reflectivity, sum_of_row));
-    }
-    rows_.push_back(row);
+    rows_.push_back({i, 0, reflectivity[m], loss[m]});
   }
+  if (!rows_are_closed())
+    parallel_for(
+        rows_.size(),
+        [&](std::size_t i) { rows_[i].loss = loss_of(matrix.row(rows_[i].element), rows_[i].reflectivity); }, kGrain);
   find_components();
-  for (const SystemRow& row : rows_) {
-    SystemComponent& component = components_[row.component];
-    component.loses |= absorptivity(row) != 0;
-    for (const FactorEntry& entry : matrix.row(row.element)) component.loses |= unknown_[entry.to] < 0;
-  }
 }
 
 void RadiositySystem::find_components() {
-  std::vector<std::uint32_t> parent(rows_.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto root = [&](std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  for (std::uint32_t i = 0; i < rows_.size(); ++i)
-    for (const FactorEntry& entry : matrix_->row(rows_[i].element)) {
-      const std::int32_t j = unknown_[entry.to];
-      if (j < 0 || !is_positive(entry.factor)) continue;
-      const std::uint32_t a = root(i), b = root(static_cast<std::uint32_t>(j));
-      if (a != b) parent[std::max(a, b)] = std::min(a, b);
+  SharedDisjointSets sets(rows_.size());
+  std::vector<char> loses(rows_.size());
+  parallel_ranges(rows_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+      loses[i] = absorptivity(rows_[i]) != 0;
+      for (const FactorEntry& entry : matrix_->row(rows_[i].element)) {
+        const std::int32_t j = unknown_[entry.to];
+        if (j < 0)
+          loses[i] = 1;
+        else if (is_positive(entry.factor))
+          sets.join(i, static_cast<std::uint32_t>(j));
+      }
     }
+  });
   for (std::uint32_t i = 0; i < rows_.size(); ++i) {
-    const std::uint32_t r = root(i);
+    const std::uint32_t r = sets.root(i);
     if (r == i) {
       rows_[i].component = static_cast<std::uint32_t>(components_.size());
       components_.push_back({rows_[i].element, 0, false});
     } else {
       rows_[i].component = rows_[r].component;
     }
-    ++components_[rows_[i].component].size;
+    SystemComponent& component = components_[rows_[i].component];
+    ++component.size;
+    component.loses |= loses[i] != 0;
   }
 }
 

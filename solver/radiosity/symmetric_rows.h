@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "kernel/support/unset_array.h"
 #include "solver/radiosity/radiosity_system.h"
 
 namespace hottel {
@@ -17,16 +18,19 @@ namespace hottel {
 //   (K x)_i = d_i x_i + sum_j S_ij (x_i - x_j)
 //
 //   (1) defects and couplings are not below 0 where factors are not; weight_i = A_i / rho_i, finite also for tiny rho
-// REQUIRES rows that are closed. COST: one pass over the matrix, 12 bytes a coupling.
+// REQUIRES rows that are closed. COST: two passes over the matrix, on all threads; 12 bytes a coupling.
 struct SymmetricRows {
   std::vector<std::size_t> begin;  // by unknown, one more at the end
-  PlacedArray<std::uint32_t> to;   // by entry, as the one below; they stand where the matrix does
-  PlacedArray<double> coupling_of;
+  UnsetArray<std::uint32_t> to;    // by entry, as the one below; they stand where the matrix does
+  UnsetArray<double> coupling_of;
   std::vector<double> coupling, defect, weight;  // by unknown; coupling is the sum of its entries
   std::vector<std::uint32_t> component;
 
   // One row for each unknown of the system, whose matrix is not needed afterwards.
   explicit SymmetricRows(const RadiositySystem& system);
+
+ private:
+  void set_row(const RadiositySystem& system, std::size_t i, double largest);
 };
 
 // Light stays so long that a constant is huge to what is sent out.

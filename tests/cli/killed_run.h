@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -48,8 +49,9 @@ struct KilledRun {
   double seconds = 0;  // of work, of all threads
 };
 
-// Kills it once its threads have worked for so many seconds.
-inline KilledRun run(const std::vector<std::string>& words, double seconds) {
+// Kills it once its threads have worked for so many seconds. Looks at it all the while.
+inline KilledRun run(
+    const std::vector<std::string>& words, double seconds, const std::function<void(pid_t)>& look = [](pid_t) {}) {
   const pid_t child = ::fork();
   if (child == 0) {
     const int null = ::open("/dev/null", O_WRONLY);
@@ -64,6 +66,7 @@ inline KilledRun run(const std::vector<std::string>& words, double seconds) {
   int status = 0;
   rusage use{};
   while (::wait4(child, &status, WNOHANG, &use) == 0) {
+    look(child);
     if (!result.was_killed && seconds_of(child) >= seconds) result.was_killed = ::kill(child, SIGKILL) == 0;
     ::usleep(2000);
   }

@@ -13,8 +13,8 @@
 #include <fstream>
 #include <set>
 
-#include "io/external/external_command.h"
 #include "io/files/output_file.h"
+#include "io/files/scratch_folder.h"
 #include "tests/temporary_folder.h"
 
 namespace hottel::abandoned::abandoned_test {
@@ -22,6 +22,12 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::IsEmpty;
+
+void set_age(const fs::path& path, std::time_t seconds) {
+  const timespec then{::time(nullptr) - seconds, 0};
+  const timespec times[2] = {then, then};
+  ASSERT_EQ(::utimensat(AT_FDCWD, path.c_str(), times, 0), 0);
+}
 
 class AbandonedFiles : public testing::Test {
  protected:
@@ -32,10 +38,7 @@ class AbandonedFiles : public testing::Test {
   }
   void make(const std::string& name, std::time_t seconds_ago = 0) const {
     std::ofstream(folder_ / name) << "half";
-    if (seconds_ago == 0) return;
-    const timespec then{::time(nullptr) - seconds_ago, 0};
-    const timespec times[2] = {then, then};
-    ASSERT_EQ(::utimensat(AT_FDCWD, (folder_ / name).c_str(), times, 0), 0);
+    if (seconds_ago > 0) set_age(folder_ / name, seconds_ago);
   }
   // Runs something in a process of its own, and kills it once it says that it is ready.
   template <class Work>
@@ -131,6 +134,21 @@ TEST_F(AbandonedFiles, AreHeldByOneAlone) {
   make("f");
   EXPECT_FALSE(hold_temporary(other, path)) << "it is another one";
   ::close(other);
+}
+
+// The same of folders, whatever is in them.
+TEST_F(AbandonedFiles, AndFoldersOfAnotherMachineAreLeftForADay) {
+  const std::string here = running_kernel(), elsewhere = here == "0123abcd" ? "0123abce" : "0123abcd";
+  const std::string used = "hottel-run-12-" + elsewhere + "-aaaaaa";
+  for (const auto& [name, age] : {std::pair(used, std::time_t{0}),
+                                  {"hottel-run-12-" + elsewhere + "-bbbbbb", 2 * kDay},
+                                  {"hottel-run-12-" + here + "-cccccc", std::time_t{0}}}) {
+    fs::create_directory(folder_ / name);
+    make(name + "/chunk");
+    set_age(folder_ / name, age);
+  }
+  remove_abandoned(folder_.path(), Abandoned::kFolders);
+  EXPECT_EQ(names(), std::set<std::string>{used});
 }
 
 TEST_F(AbandonedFiles, AndScratchFoldersAreHeldByTheCommandsInThem) {

@@ -14,8 +14,12 @@
 namespace hottel {
 namespace {
 
-// In both rows: in the matrix, and as a coupling of the solver.
-constexpr std::uint64_t kBytesBeside = 2 * (ExchangeMatrix::kBytesAnEntry + sizeof(std::uint32_t) + sizeof(double));
+// Of a pair, in both rows. Where sums do not stay they are gone before the solver has its couplings, which are smaller.
+constexpr std::uint64_t kBytesInMatrix = 2 * ExchangeMatrix::kBytesAnEntry;
+constexpr std::uint64_t kBytesOfCouplings = 2 * (sizeof(std::uint32_t) + sizeof(double));
+static_assert(kBytesOfCouplings <= kBytesOfSumOnDisk);
+
+std::uint64_t bytes_beside(bool sums_stay) { return kBytesInMatrix + (sums_stay ? kBytesOfCouplings : 0); }
 
 // The folder is there as long as an array may ask for room in it.
 struct KeptFolder {
@@ -27,7 +31,13 @@ struct KeptFolder {
 
 }  // namespace
 
-ExactOnDisk2::ExactOnDisk2(SumFolderRequest asked) : asked_(std::move(asked)) { asked_.bytes_beside = kBytesBeside; }
+std::uint64_t disk_for_radiosities_2(std::uint64_t pairs, bool sums_stay) {
+  return disk_for_sums_2(pairs) + pairs * bytes_beside(sums_stay);
+}
+
+ExactOnDisk2::ExactOnDisk2(SumFolderRequest asked) : asked_(std::move(asked)) {
+  asked_.bytes_beside = bytes_beside(asked_.stays);
+}
 
 ExchangeMatrix ExactOnDisk2::compute(const PreparedScene2& prepared, const ExchangeRequest& request,
                                      MethodReport& report) const {

@@ -23,8 +23,8 @@ namespace hottel {
 //   (1) the matrix is that of exact_exchange(), bit for bit
 //   (2) beside the prepared scene sums take the memory of the request; what else grows with the pairs is on disk
 //   (3) sums that stay do so until forget(), the others until they are a matrix
-// Throws what SumFolder2 throws, before the sweep where the disk has no room for sums and matrix. COST: that of the
-// exact method, and some 150 bytes of disk for each pair.
+// Throws what SumFolder2 throws, before the sweep where the disk has no room (disk_for_radiosities_2). COST: that of
+// the exact method.
 class ExactOnDisk2 final : public ExchangeMethod2 {
  public:
   // Of the request the folder, and whether sums stay there.
@@ -47,5 +47,8 @@ class ExactOnDisk2 final : public ExchangeMethod2 {
   mutable std::uint64_t bytes_of_sums_ = 0;
   MethodInfo info_{"exact", "exact", 0, Guarantee::kExact, "docs/design/plane/exchange.md"};
 };
+
+// The disk that sums, matrix and solver take of so many pairs, in bytes: at the most at one time.
+std::uint64_t disk_for_radiosities_2(std::uint64_t pairs, bool sums_stay);
 
 }  // namespace hottel

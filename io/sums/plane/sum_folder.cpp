@@ -1,7 +1,6 @@
 #include "io/sums/plane/sum_folder.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <limits>
@@ -30,10 +29,6 @@ constexpr const char* kEnding = ".sums";
 // Another one wherever sums of the same scene are others, or in another order, than before.
 constexpr const char* kKind = "plane sums 1";
 constexpr std::uint64_t kBytesInTable = 96;  // of a sum, while it is summed up
-
-fs::path place_of(const SumFolderRequest& asked) {
-  return asked.stays ? asked.folder : asked.folder / fmt::format("hottel-sums-{}", getpid());
-}
 
 // Two lists by key, as one.
 std::vector<PairSum2> added(const std::vector<PairSum2>& a, const std::vector<PairSum2>& b) {
@@ -84,17 +79,12 @@ SumFolder2::SumFolder2(SumFolderRequest asked, const PreparedScene2& prepared, c
       key_(sums_key(prepared, table, request)),
       estimated_pairs_(estimated_sight(prepared.arrangement, table).pairs),
       cuts_(table.count(), ranges_for_sums_2(estimated_pairs_, memory_)),
-      folder_(place_of(asked_)),
-      pending_(asked_.stays ? PendingRemoval() : PendingRemoval(place_of(asked_).string(), Removal::kFolder)) {
+      folder_(asked_.folder) {
+  if (!asked_.stays) own_.emplace(asked_.folder);
   Stopwatch watch;
   take_chunks();
   require_room();
-  try {
-    sweep(request);
-  } catch (...) {
-    if (!asked_.stays) fs::remove_all(place_of(asked_));
-    throw;
-  }
+  sweep(request);
   report.seconds["sweep"] = watch.lap();
   for (const Chunk& chunk : chunks_) {
     report.gaps += chunk.head.counts.gaps;
@@ -103,14 +93,14 @@ SumFolder2::SumFolder2(SumFolderRequest asked, const PreparedScene2& prepared, c
 }
 
 SumFolder2::~SumFolder2() {
-  if (asked_.stays) return;
+  if (asked_.stays || own_) return;
   std::error_code ignored;
   for (const Chunk& chunk : chunks_) fs::remove(chunk.file, ignored);
 }
 
 // Takes what an earlier run left, in the order of their places; of two that have a place in common the first.
 void SumFolder2::take_chunks() {
-  for (const auto& entry : fs::directory_iterator(place_of(asked_)))
+  for (const auto& entry : fs::directory_iterator(place()))
     if (entry.path().extension() == kEnding) take(entry.path());
   std::ranges::sort(chunks_, {}, [](const Chunk& chunk) { return chunk.head.begin; });
   std::uint64_t end = 0;
@@ -145,7 +135,7 @@ void SumFolder2::require_room() const {
   const std::uint64_t needed = disk_for_sums_2(estimated_pairs_) + estimated_pairs_ * asked_.bytes_beside;
   const std::uint64_t there = bytes();
   if (needed > there)
-    require_space(place_of(asked_) / kEnding, needed - there,
+    require_space(place() / kEnding, needed - there,
                   fmt::format("the sums{} of about {} pairs take about", asked_.bytes_beside > 0 ? " and factors" : "",
                               estimated_pairs_),
                   "");
@@ -193,7 +183,7 @@ double SumFolder2::sweep_chunk(std::span<const VertexId> order, std::size_t begi
   SumChunkHead2 head{key_, fmt::format("{} by hottel {}", prepared_.scene.file, kVersion), begin, end};
   const PairSums2 sums = sum_pairs_about(order.subspan(begin, end - begin), prepared_.arrangement, table_, progress,
                                          std::numeric_limits<std::uint64_t>::max(), head.counts);
-  const fs::path file = place_of(asked_) / fmt::format("{:012}{}", begin, kEnding);
+  const fs::path file = place() / fmt::format("{:012}{}", begin, kEnding);
   head = write_sum_chunk(file, std::move(head), sums, table_, cuts_);
   chunks_.push_back({file, std::move(head)});
   const double by_memory = static_cast<double>(memory_) / 4 / static_cast<double>((sums.size() + 1) * kBytesInTable);
@@ -202,6 +192,7 @@ double SumFolder2::sweep_chunk(std::span<const VertexId> order, std::size_t begi
 }
 
 std::vector<PairSum2> SumFolder2::sums(std::size_t k) const {
+  if (own_) own_->touch();
   std::vector<std::vector<PairSum2>> parts(chunks_.size());
   parallel_for(parts.size(), [&](std::size_t n) { parts[n] = read_sum_segment(chunks_[n].file, chunks_[n].head, k); });
   while (parts.size() > 1) {

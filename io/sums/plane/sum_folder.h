@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "geometry/plane/exchange/sum_source.h"
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "io/files/output_file.h"
+#include "io/files/scratch_folder.h"
 #include "io/sums/plane/sum_chunk.h"
 
 namespace hottel {
@@ -37,7 +39,8 @@ struct SumFolderRequest {
 //   (3) nobody else's are taken, nor removed: InputError naming the file, the scene that it is of, and a remedy
 //   (4) beside the prepared scene a sweep takes about half of the memory of the request, and a range as much
 //   (5) without forget() they stay where that is asked for; else they are in a folder of their own in this one, which
-//       the destructor removes, or the signal that ends the program
+//       the destructor removes, or the signal that ends the program, or the next such run in this folder
+//       (ScratchFolder)
 class SumFolder2 final : public SumSource2 {
  public:
   // Sweeps what is not there. Throws RequestError before the sweep where the disk has no room for the sums; OutputError
@@ -63,6 +66,8 @@ class SumFolder2 final : public SumSource2 {
     SumChunkHead2 head;
   };
 
+  // Where the chunks are.
+  const std::filesystem::path& place() const { return own_ ? own_->path() : asked_.folder; }
   void take_chunks();
   void take(const std::filesystem::path& file);
   void require_own(const std::filesystem::path& file, const SumChunkHead2& head) const;
@@ -79,8 +84,8 @@ class SumFolder2 final : public SumSource2 {
   std::uint64_t estimated_pairs_;
   RowCuts cuts_;
   OutputFolder folder_;
-  PendingRemoval pending_;
-  std::vector<Chunk> chunks_;  // by place
+  std::optional<ScratchFolder> own_;  // unless chunks stay
+  std::vector<Chunk> chunks_;         // by place
 };
 
 // A sum on disk, at the most: in the rows of two ranges, and in a fifth more chunks than one. In bytes.

@@ -140,6 +140,19 @@ TEST(SumFolder2, LeavesNothingWhereAnEndedRunIsNotToGoOn) {
   EXPECT_TRUE(files_in(place.path()).empty());
 }
 
+// To machines that share the disk but no locks it looks used for as long as it is read.
+TEST(SumFolder2, SaysThatItsFolderIsInUse) {
+  const TemporaryFolder place;
+  OnDisk scene(generated("clutter", 200, 2), 100'000);
+  const SumFolder2 sums = scene.folder(place / "d", false);
+  const fs::path own = files_in(place / "d").front();
+  ASSERT_TRUE(fs::is_directory(own));
+  const auto now = fs::last_write_time(own);
+  fs::last_write_time(own, now - std::chrono::hours(30));
+  scene.read_all(sums);
+  EXPECT_GE(fs::last_write_time(own), now);
+}
+
 std::string refusal(const std::function<void()>& work) {
   try {
     work();
