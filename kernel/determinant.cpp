@@ -1,5 +1,8 @@
 #include "kernel/determinant.h"
 
+#include <cstdlib>
+#include <limits>
+
 namespace hottel {
 namespace {
 
@@ -9,7 +12,22 @@ void set_minor(Integer& result, const Integer& a, const Integer& b, const Intege
   mpz_submul(result.get_mpz_t(), c.get_mpz_t(), d.get_mpz_t());
 }
 
+// Where a double holds a whole number: sets it, without asking GMP.
+bool set_short(double& result, const Integer& value) {
+  if (mpz_size(value.get_mpz_t()) > 1) return false;
+  const mp_limb_t size = mpz_getlimbn(value.get_mpz_t(), 0);
+  if (size >> std::numeric_limits<double>::digits != 0) return false;
+  result = sgn(value) < 0 ? -static_cast<double>(size) : static_cast<double>(size);
+  return true;
+}
+
+// Powers of two within this are far from what rounds numbers that doubles hold.
+constexpr long kMostShort = 900;
+
+double halved(double value, long shift) { return shift == 0 ? value : std::ldexp(value, static_cast<int>(-shift)); }
+
 double scaled(const Integer& value, long shift) {
+  if (double number; std::abs(shift) <= kMostShort && set_short(number, value)) return halved(number, shift);
   long exponent;
   const double mantissa = mpz_get_d_2exp(&exponent, value.get_mpz_t());
   return mantissa == 0 ? 0 : std::ldexp(mantissa, static_cast<int>(std::max(exponent - shift, -2000L)));
@@ -89,6 +107,9 @@ BoundedVector rounded(const IntegerVector& a, long shift) {
 }
 
 double rounded_quotient(const Integer& a, const Integer& b, long shift) {
+  double numerator, denominator;
+  if (std::abs(shift) <= kMostShort && set_short(numerator, a) && set_short(denominator, b))
+    return halved(numerator / denominator, shift);
   long of_a, of_b;
   const double top = mpz_get_d_2exp(&of_a, a.get_mpz_t()), bottom = mpz_get_d_2exp(&of_b, b.get_mpz_t());
   return top == 0 ? 0 : std::ldexp(top / bottom, static_cast<int>(std::clamp(of_a - of_b - shift, -2000L, 2000L)));

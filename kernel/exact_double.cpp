@@ -18,6 +18,7 @@ Integer exact_integer(double value) { return Integer(finite(value)); }
 
 double truncated_double(const Integer& value) {
   constexpr std::size_t kMostBits = std::numeric_limits<double>::max_exponent;
+  if (mpz_size(value.get_mpz_t()) <= 1) return value.get_d();
   if (mpz_sizeinbase(value.get_mpz_t(), 2) > kMostBits) return sgn(value) * HUGE_VAL;
   return value.get_d();
 }

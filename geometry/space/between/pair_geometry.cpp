@@ -3,21 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/space/vectors/short_integers.h"
 #include "kernel/exact_double.h"
 
 namespace hottel {
 namespace {
 
 int sign_of(Int128 value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
-
-bool is_at(const IntegerVector& p, const Integer& weight, const IntegerVector& vertex) {
-  thread_local Integer product;
-  const auto is_same = [&](const Integer& a, const Integer& b) {
-    mpz_mul(product.get_mpz_t(), weight.get_mpz_t(), b.get_mpz_t());
-    return a == product;
-  };
-  return is_same(p.x, vertex.x) && is_same(p.y, vertex.y) && is_same(p.z, vertex.z);
-}
 
 }  // namespace
 
@@ -64,7 +56,7 @@ void PairGeometry3::add_patch(const Occluders3& occluders, const Patch3& patch) 
     VertexId3 same = VertexId3::none();
     if (!patch.is_sky())
       for (const VertexId3 v : occluders.outline(patch.surface))
-        if (is_at(corner, patch.weight, occluders.vertices().exact(v))) same = v;
+        if (is_at_vertex(corner, patch.weight, occluders.vertices().exact(v))) same = v;
     if (!same.is_none()) {
       body.corners.push_back(vertex(occluders, same));
       continue;
@@ -79,7 +71,7 @@ void PairGeometry3::add_patch(const Occluders3& occluders, const Patch3& patch) 
              !(std::fabs(weight * p.approximate.z - p.approximate_weight * approximate.z) > slack);
     };
     const auto is_same = [&](const Point& p) {
-      return may_be_same(p) && is_at(multiple(p.weight(), corner), patch.weight, p.exact());
+      return may_be_same(p) && is_at_vertex(multiple(p.weight(), corner), patch.weight, p.exact());
     };
     const auto known = std::find_if(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(others), is_same);
     body.corners.push_back(known == points.begin() + static_cast<std::ptrdiff_t>(others)
@@ -195,9 +187,15 @@ int PairGeometry3::orientation(std::uint32_t p, std::uint32_t q, std::uint32_t r
   return sign != kUndecided ? sign : determinant_sign(exact_way(p, q), exact_way(p, r), exact_way(p, s));
 }
 
-int PairGeometry3::orientation(const Plane& plane, std::uint32_t s) const {
+void PairGeometry3::set_ways(std::uint32_t p, std::span<const std::uint32_t> others,
+                             std::vector<BoundedVector>& ways) const {
+  ways.clear();
+  for (const std::uint32_t q : others) ways.push_back(way(p, q));
+}
+
+int PairGeometry3::orientation(const Plane& plane, std::uint32_t s, const BoundedVector& way_to_s) const {
   if (s == plane.p || s == plane.q || s == plane.r) return 0;
-  const int sign = filtered_sign(plane.normal, way(plane.p, s));
+  const int sign = filtered_sign(plane.normal, way_to_s);
   return sign != kUndecided ? sign : orientation(plane.p, plane.q, plane.r, s);
 }
 

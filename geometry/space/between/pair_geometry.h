@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -101,10 +102,12 @@ struct PairGeometry3 {
     std::uint32_t p, q, r;
     BoundedVector normal;
   };
-  Plane plane_through(std::uint32_t p, std::uint32_t q, std::uint32_t r) const {
-    return {p, q, r, cross(way(p, q), way(p, r))};
-  }
-  int orientation(const Plane& plane, std::uint32_t s) const;
+  int orientation(const Plane& plane, std::uint32_t s) const { return orientation(plane, s, way(plane.p, s)); }
+  // The same where the way from p to s is known.
+  int orientation(const Plane& plane, std::uint32_t s, const BoundedVector& way_to_s) const;
+  // Sets the ways from a point that is not far to others, times both weights. The normal of a plane is the product of
+  // those from p to q and to r.
+  void set_ways(std::uint32_t p, std::span<const std::uint32_t> others, std::vector<BoundedVector>& ways) const;
 
  private:
   std::uint32_t add_point(const IntegerVector& exact, const Integer& weight, const BoundedVector& approximate);

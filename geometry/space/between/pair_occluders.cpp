@@ -166,19 +166,26 @@ void PairOccluders3::add_half_space(const HullPlane& plane, double unit_ratio) {
 void PairOccluders3::add_hull_planes(std::uint32_t of_edges, std::uint32_t of_points) {
   const std::vector<std::uint32_t>& corners = bodies.bodies[of_edges].corners;
   const std::vector<std::uint32_t>& others = bodies.bodies[of_points].corners;
+  const bool is_far = bodies.is_far(of_edges);
+  std::vector<std::uint32_t> all(corners);
+  all.insert(all.end(), others.begin(), others.end());
+  std::vector<BoundedVector> ways;  // from the first point of planes
   for (std::size_t c = 0; c < corners.size(); ++c) {
-    const std::uint32_t a = corners[c], b = corners[(c + 1) % corners.size()];
-    for (const std::uint32_t p : others) {
-      const PairGeometry3::Plane plane =
-          bodies.points[a].is_far() ? bodies.plane_through(p, a, b) : bodies.plane_through(a, b, p);
+    const std::size_t next = c + 1 == corners.size() ? 0 : c + 1;
+    const std::uint32_t a = corners[c], b = corners[next];
+    if (!is_far) bodies.set_ways(a, all, ways);
+    for (std::size_t k = 0; k < others.size(); ++k) {
+      const std::uint32_t p = others[k];
+      if (is_far) bodies.set_ways(p, all, ways);
+      const BoundedVector &to_b = ways[next], &to_other = ways[is_far ? c : corners.size() + k];
+      const PairGeometry3::Plane plane = is_far ? PairGeometry3::Plane{p, a, b, cross(to_other, to_b)}
+                                                : PairGeometry3::Plane{a, b, p, cross(to_b, to_other)};
       bool has_positive = false, has_negative = false;
-      for (const std::vector<std::uint32_t>* all : {&corners, &others})
-        for (const std::uint32_t q : *all) {
-          if (has_positive && has_negative) break;
-          const int sign = bodies.orientation(plane, q);
-          has_positive |= sign > 0;
-          has_negative |= sign < 0;
-        }
+      for (std::size_t q = 0; q < all.size() && !(has_positive && has_negative); ++q) {
+        const int sign = bodies.orientation(plane, all[q], ways[q]);
+        has_positive |= sign > 0;
+        has_negative |= sign < 0;
+      }
       if (has_positive != has_negative) hull.push_back({plane, has_positive ? 1 : -1});
     }
   }

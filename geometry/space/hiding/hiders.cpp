@@ -11,6 +11,7 @@
 #include "geometry/space/arrangement/surface_boxes.h"
 #include "geometry/space/arrangement/whole_patch.h"
 #include "geometry/space/hiding/outward_plane.h"
+#include "geometry/space/vectors/short_integers.h"
 #include "kernel/exact_double.h"
 
 namespace hottel {
@@ -108,12 +109,22 @@ struct Hiders3::Body {
   std::optional<Plane> lid;
 
   // Whether no point of a polygon is in the body, or nearly: the lid bounds nothing.
-  bool is_apart_from(Corners corners, double deep) const {
+  template <class Points>
+  bool is_apart_from(const Points& corners, double deep) const {
+    const auto is_beyond = [&](const Plane& plane) {
+      return std::ranges::all_of(corners, [&](const Direction3& p) { return plane.height(p) > deep; });
+    };
+    if (std::ranges::any_of(planes, is_beyond)) return true;
+    const auto is_within = [&](const Direction3& p) {
+      return std::ranges::all_of(planes, [&](const Plane& plane) { return plane.height(p) <= deep; });
+    };
+    if (std::ranges::any_of(corners, is_within)) return false;
+    Corners rest(corners.begin(), corners.end());
     for (const Plane& plane : planes) {
-      if (corners.empty()) return true;
-      corners = cut(corners, {-plane.outward, -plane.offset}, deep);
+      if (rest.empty()) return true;
+      rest = cut(rest, {-plane.outward, -plane.offset}, deep);
     }
-    return corners.empty();
+    return rest.empty();
   }
 
   bool meets(const Direction3& p, const Direction3& q, double deep) const {
@@ -268,9 +279,7 @@ class Hiders3::Proof {
       if (const double height = plane.height(patches_[of]->corners[k]); std::fabs(height) > deep_)
         sign = height > 0 ? 1 : -1;
       else
-        sign = dot_sign(
-            exact.outward,
-            difference(patch.corners[k], multiple(patch.weight, hiders_.occluders_.vertices().exact(exact.at))));
+        sign = plane_side(exact.outward, patch.corners[k], patch.weight, hiders_.occluders_.vertices().exact(exact.at));
       result.has_outside |= sign > 0;
       result.has_inside |= sign < 0;
     }
@@ -279,7 +288,7 @@ class Hiders3::Proof {
   // Whether a patch is outside a body, the lid taken away: apart from it, or beyond a plane other than `but`, where no
   // corner is within that plane, and one is beyond.
   bool is_outside(int of, const Body& body, std::uint32_t but = ConvexBody3::kNone) const {
-    if (body.is_apart_from({patches_[of]->corners.begin(), patches_[of]->corners.end()}, deep_)) return true;
+    if (body.is_apart_from(patches_[of]->corners, deep_)) return true;
     for (std::uint32_t k = 0; k < body.planes.size(); ++k) {
       if (k == but) continue;
       const Sides found = sides(of, body.exact->planes[k], body.planes[k]);
@@ -430,9 +439,10 @@ class Hiders3::Proof {
   // The heights of corners over all planes of a body.
   using Heights = boost::container::small_vector<double, 64>;
   static Heights heights(const Body& body, const Corners& corners) {
-    Heights result;
+    Heights result(body.planes.size() * corners.size(), boost::container::default_init);
+    auto next = result.begin();
     for (const Plane& plane : body.planes)
-      for (const Direction3& p : corners) result.push_back(plane.height(p));
+      for (const Direction3& p : corners) *next++ = plane.height(p);
     return result;
   }
   // Whether all lines between a part of each patch meet the inside of a body. `within`: the lid bounds nothing.

@@ -112,8 +112,8 @@ IntegerVector MomentOrigin3::way_to(const Stretch3& stretch) const {
   return difference(multiple(point_.weight, stretch.from), multiple(stretch.weight, point_.numerator));
 }
 
-MomentOrigin3::Moment MomentOrigin3::moment_of(const Stretch3& stretch) const {
-  return {cross(way_to(stretch), stretch.way), stretch.weight * stretch.weight * point_.weight};
+MomentOrigin3::Moment MomentOrigin3::moment_of(const Stretch3& stretch, const IntegerVector& way_to) const {
+  return {cross(way_to, stretch.way), stretch.weight * stretch.weight * point_.weight};
 }
 
 // Nearly opposite normals lose the digits of their sum: it is at right angles to the line and to the difference.

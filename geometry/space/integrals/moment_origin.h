@@ -25,12 +25,13 @@ class MomentOrigin3 {
 
   // Where a stretch begins, from here, times both weights.
   IntegerVector way_to(const Stretch3& stretch) const;
-  // That times the way of the stretch, as a quotient.
+  // That, `way_to`, times the way of the stretch, as a quotient.
   struct Moment {
     IntegerVector numerator;
     Integer denominator;
   };
-  Moment moment_of(const Stretch3& stretch) const;
+  Moment moment_of(const Stretch3& stretch, const IntegerVector& way_to) const;
+  Moment moment_of(const Stretch3& stretch) const { return moment_of(stretch, way_to(stretch)); }
 
  private:
   double extent(std::uint32_t patch) const;

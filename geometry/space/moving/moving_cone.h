@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geometry/space/between/joined_bodies.h"
@@ -27,6 +28,11 @@ class MovingFragments3 {
     if (size_ == kept_.size()) kept_.emplace_back();
     kept_[size_].clear();
     return kept_[size_++];
+  }
+  // Of a deque that is moved from, the library makes a new one.
+  friend void swap(MovingFragments3& a, MovingFragments3& b) noexcept {
+    a.kept_.swap(b.kept_);
+    std::swap(a.size_, b.size_);
   }
 
  private:

@@ -21,6 +21,7 @@ std::uint64_t key_of(std::uint32_t a, std::uint32_t b) {
 
 MovingPlanes3::MovingPlanes3(const PairGeometry3& bodies) : bodies_(bodies) {
   add_lines();
+  find_met_points();
   const auto count = static_cast<std::uint32_t>(bodies.bodies.size());
   first_face_ = static_cast<std::uint32_t>(planes_.size());
   for (std::uint32_t k = 0; k < count; ++k) {
@@ -45,6 +46,13 @@ MovingPlanes3::MovingPlanes3(const PairGeometry3& bodies) : bodies_(bodies) {
       plane.b = patch;
       plane.bodies = {k, patch};
     }
+}
+
+void MovingPlanes3::find_met_points() {
+  for (const PairGeometry3::Body& body : bodies_.bodies)
+    met_points_.insert(met_points_.end(), body.corners.begin(), body.corners.end());
+  std::sort(met_points_.begin(), met_points_.end());
+  met_points_.erase(std::unique(met_points_.begin(), met_points_.end()), met_points_.end());
 }
 
 void MovingPlanes3::add_lines() {
@@ -85,6 +93,7 @@ void MovingPlanes3::take(const Stretch3& stretch) {
   known_zeros_.forget();
   in_face_.resize(bodies_.bodies.size());
   look_from(stretch);
+  unit_of_moves_ = 0;
   toward_.resize(bodies_.points.size());
   exact_toward_.resize(bodies_.points.size());
   moves_.resize(bodies_.points.size());
@@ -152,15 +161,18 @@ void MovingPlanes3::move_to(double t, double left, double right) {
   const double scale = places_ <= 60 ? std::ldexp(1.0, static_cast<int>(places_)) : 0;
   const bool is_exact = is_small_ && scale > 0 && largest_offset_ * scale + whole * largest_drift_ <= kExactLimit;
   unit_ = is_exact ? scale : 1;
-  for (std::size_t k = 0; k < offsets_.size(); ++k) {
+  const double of_offset = is_exact ? scale : 1, of_drift = is_exact ? whole : t;
+  for (const std::uint32_t k : met_points_) {
     const BoundedVector &u = offsets_[k], &d = drifts_[k];
     BoundedVector& w = toward_[k];
-    if (is_exact)
-      w = {scale * u.x - whole * d.x, scale * u.y - whole * d.y, scale * u.z - whole * d.z};
-    else
-      w = {u.x - t * d.x, u.y - t * d.y, u.z - t * d.z};
+    w = {of_offset * u.x - of_drift * d.x, of_offset * u.y - of_drift * d.y, of_offset * u.z - of_drift * d.z};
     w.size = std::max({std::fabs(w.x), std::fabs(w.y), std::fabs(w.z)});
-    w.error = is_exact ? 0 : 1.001 * (u.error + t * d.error + 2 * kUnit * (t * d.size + w.size)) + detail::kUnderflow;
+    if (!is_exact) w.error = 1.001 * (u.error + t * d.error + 2 * kUnit * (t * d.size + w.size)) + detail::kUnderflow;
+  }
+  if (unit_ == unit_of_moves_) return;
+  unit_of_moves_ = unit_;
+  for (const std::uint32_t k : met_points_) {
+    const BoundedVector& d = drifts_[k];
     moves_[k] = {-unit_ * d.x, -unit_ * d.y, -unit_ * d.z};
   }
 }

@@ -164,6 +164,7 @@ class MovingPlanes3 {
   };
 
   void add_lines();
+  void find_met_points();
   PlaneSide3 line(std::uint32_t a, std::uint32_t b) const;  // through two points that are ends of an edge of a body
   void look_from(const Stretch3& stretch);
   const MovingVector3& normal(PlaneId3 plane);
@@ -254,7 +255,9 @@ class MovingPlanes3 {
   unsigned places_ = 0;
   double unit_ = 1;  // doubles are those of the line, times this
   std::vector<BoundedVector> toward_;
-  std::vector<Direction3> moves_;  // by how much they change with t
+  std::vector<Direction3> moves_;          // by how much they change with t
+  double unit_of_moves_ = 0;               // the unit in which they are; 0: they are those of another line
+  std::vector<std::uint32_t> met_points_;  // corners of bodies: others belong to what was found to hide nothing
   std::uint64_t stamp_ = 0;
   struct ExactToward {
     std::uint64_t stamp = 0;

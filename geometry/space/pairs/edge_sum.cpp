@@ -38,9 +38,10 @@ EdgeSum3::EdgeSum3(const PairGeometry3& bodies, const MomentOrigin3& origin, lon
       extents_{extent(0), extent(1)} {}
 
 template <class Real>
-std::uint32_t EdgeSum3::add_stretch(const Stretch3& s, EdgeIntegral3<Real>& integral) const {
+std::uint32_t EdgeSum3::add_stretch(const Stretch3& s, const IntegerVector& way_to,
+                                    EdgeIntegral3<Real>& integral) const {
   using integer_reals::quotient;
-  const MomentOrigin3::Moment moment = origin_.moment_of(s);
+  const MomentOrigin3::Moment moment = origin_.moment_of(s, way_to);
   return integral.add_stretch(quotient<ArcVector3<Real>>(s.way, s.weight, shift_),
                               quotient<ArcVector3<Real>>(moment.numerator, moment.denominator, 2 * shift_));
 }
@@ -74,12 +75,13 @@ bool EdgeSum3::add(const std::vector<PairStretch3>& stretches, PairResult3& resu
       ends_.push_back({number, piece.high});
     }
     const Stretch3& s = stretch.line();
-    const Direction3 from = ratio(origin_.way_to(s), s.weight * origin_.point().weight, shift_);
+    const IntegerVector way_to = origin_.way_to(s);
+    const Direction3 from = ratio(way_to, s.weight * origin_.point().weight, shift_);
     const Direction3 way = ratio(s.way, s.weight, shift_), moment = cross(from, way);
     may_lack_ += kRootError * length(moment) * most_seen(stretch);
     if (pieces.empty()) continue;
     seen_.push_back({&stretch, pieces_in_doubles().size(), mapper_.relied_polynomials() - relied});
-    const std::uint32_t place = add_stretch(s, doubles_);
+    const std::uint32_t place = add_stretch(s, way_to, doubles_);
     reach_ = std::max({reach_, length(from), length(from + way)});
     for (std::size_t k = 0; k < pieces.size(); ++k) {  // the arcs of two at a time
       mapper_.make_arcs(stretch, pieces[k]);
@@ -143,7 +145,8 @@ void EdgeSum3::widen(std::optional<EdgeIntegral3<Real>>& integral) {
   integral->add_error(jumps_);
   set_expected_residual(*integral);
   for (std::size_t s = 0; s < seen_.size(); ++s) {
-    const std::uint32_t place = add_stretch(seen_[s].stretch->line(), *integral);
+    const Stretch3& line = seen_[s].stretch->line();
+    const std::uint32_t place = add_stretch(line, origin_.way_to(line), *integral);
     for (std::size_t p = seen_[s].first_piece; p < end_of_pieces(s); ++p)
       integral->add(widened<Real>(static_cast<std::uint32_t>(p)), place);
   }

@@ -98,7 +98,7 @@ class EdgeSum3 {
   template <class Visit>
   auto of_most_digits(const Visit& visit);
   template <class Real>
-  std::uint32_t add_stretch(const Stretch3& s, EdgeIntegral3<Real>& integral) const;
+  std::uint32_t add_stretch(const Stretch3& s, const IntegerVector& way_to, EdgeIntegral3<Real>& integral) const;
   template <class Real>
   void set_expected_residual(EdgeIntegral3<Real>& integral) const;
   template <class Real>

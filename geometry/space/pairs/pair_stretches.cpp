@@ -81,13 +81,13 @@ class StretchFinder {
   }
 
   // Adds an edge of a patch, divided where surfaces at it begin and end.
-  void add_source(const Stretch3& edge) {
+  void add_source(Stretch3 edge) {
     struct Part {
       Rational low, high;
       const AtomicStretch3* ground;
     };
     std::vector<Part> parts;
-    std::vector<Rational> ends{0, 1};
+    std::vector<Rational> ends;
     for (const AtomicStretch3* ground : relevant_) {
       const Stretch3& g = ground->stretch;
       if (!is_on_line(edge, g.from, g.weight)) continue;
@@ -107,6 +107,11 @@ class StretchFinder {
       ends.push_back(high);
       parts.push_back({std::move(low), std::move(high), ground});
     }
+    if (parts.empty()) {
+      result_.push_back({std::move(edge), nullptr, StretchRole3::kSource, own_, {}, 0, 1});
+      return;
+    }
+    ends.insert(ends.end(), {0, 1});
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) {

@@ -63,18 +63,18 @@ bool StretchMapper3::walk(const PairStretch3& stretch, std::vector<StretchPiece3
   if (!find_sides(stretch)) return true;
   find_bodies(stretch);
   hiders_ = {};
-  std::vector<std::pair<double, double>> waiting{{stretch.low, stretch.high}};
-  for (std::uint32_t count = 0; !waiting.empty(); ++count) {
-    const auto [low, high] = waiting.back();
-    waiting.pop_back();
+  waiting_.assign(1, {stretch.low, stretch.high});
+  for (std::uint32_t count = 0; !waiting_.empty(); ++count) {
+    const auto [low, high] = waiting_.back();
+    waiting_.pop_back();
     if (!(high - low > kLeast)) {
       if (high > low) not_looked_at_.push_back(low);
       continue;
     }
     StretchPiece3 piece;
     if (count > kMostPieces || !look(stretch, low, high, piece)) return false;
-    waiting.emplace_back(piece.high, high);
-    waiting.emplace_back(low, piece.low);
+    waiting_.emplace_back(piece.high, high);
+    waiting_.emplace_back(low, piece.low);
     if (parts) add_sure_part(piece, *parts);
     pieces.push_back(std::move(piece));
   }
@@ -384,7 +384,7 @@ void StretchMapper3::take_away_cone(const PairStretch3& stretch, std::uint32_t h
     else if (cutter_.subtract(pieces_[p], sides_, rest_))
       is_anything_hidden_ |= stretch.role == StretchRole3::kSource;
   }
-  std::swap(pieces_, rest_);
+  swap(pieces_, rest_);
 }
 
 void StretchMapper3::set_signature(StretchPiece3& piece) {

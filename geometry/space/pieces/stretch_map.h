@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/space/between/joined_bodies.h"
@@ -117,6 +118,7 @@ class StretchMapper3 {
   const PairStretch3* taken_ = nullptr;  // by planes_
   MovingCutter3 cutter_;
   std::vector<double> not_looked_at_;
+  std::vector<std::pair<double, double>> waiting_;  // parts of a stretch that are to be looked at
   MovingFragment3 start_, copy_;
   MovingFragments3 pieces_, rest_;
   std::vector<std::pair<int, MovingFragment3>> seen_;

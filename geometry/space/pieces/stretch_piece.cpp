@@ -10,6 +10,8 @@ namespace {
 
 // The sine of an angle of nearly half a turn from which doubles tell its sign.
 constexpr double kSureSine = 1e-12;
+// Cosines above this are surely positive.
+constexpr double kSureCosine = 1e-10;
 
 Direction3 unit_at(const MovingVector3& vector, double from, double offset) {
   return unit_or_zero<double>(vector.at(from, offset));
@@ -40,12 +42,26 @@ void StretchPiece3::unpack_signature() {
 // Where an arc is nearly half a turn doubles may not tell its sign: that is taken where they tell it best. Returns the
 // arcs where they tell it nowhere.
 std::vector<std::uint32_t> StretchPiece3::find_turns() {
-  std::vector<double> most(arcs.size(), 0);
-  std::vector<char> is_half(arcs.size(), 0);
-  std::vector<Direction3> at(corners.size());
+  thread_local std::vector<double> most, squares;
+  thread_local std::vector<char> is_half;
+  thread_local std::vector<Direction3> at;
+  most.assign(arcs.size(), 0);
+  is_half.assign(arcs.size(), 0);
+  at.resize(corners.size());
+  squares.resize(corners.size());
+  // Whether two corners are surely less than a right angle from each other: told without roots.
+  const auto is_acute = [](const Arc& arc) {
+    const double product = dot(at[arc.begin], at[arc.end]);
+    return product > 0 && product * product > kSureCosine * kSureCosine * (squares[arc.begin] * squares[arc.end]);
+  };
   for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9}) {
     const double offset = share * (high - low);
-    for (std::size_t k = 0; k < corners.size(); ++k) at[k] = unit_at(corners[k], low, offset);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      at[k] = corners[k].at(low, offset);
+      squares[k] = dot(at[k], at[k]);
+    }
+    if (std::ranges::all_of(arcs, is_acute)) continue;
+    for (std::size_t k = 0; k < corners.size(); ++k) at[k] = unit_or_zero<double>(at[k]);
     for (std::size_t k = 0; k < arcs.size(); ++k) {
       Arc& arc = arcs[k];
       const Direction3 &b = at[arc.begin], &e = at[arc.end];

@@ -108,8 +108,10 @@ void StretchHull3::add_plane(const Place& a, const Place& b, const Place& c) {
   const Plane plane{normal, -dot(normal, c.at)};
   bool is_above = true, is_below = true;
   for (const Place& p : hull_) {
-    is_above = is_above && plane.value(p) >= -slack_of(p);
-    is_below = is_below && plane.value(p) <= slack_of(p);
+    const double value = plane.value(p), slack = slack_of(p);
+    is_above = is_above && value >= -slack;
+    is_below = is_below && value <= slack;
+    if (!is_above && !is_below) return;
   }
   // A little outside, so that all of the hull is on one side.
   if (is_above)

@@ -22,11 +22,6 @@ constexpr double kEnough = 0x1p-47;  // what quadrature may be off by at least, 
 
 constexpr double kMore = 1 + 0x1p-40;  // above all roundings
 
-struct Node {
-  Vector at;
-  double weight;
-};
-
 // One of the two patches, without what is behind the other one.
 class Part {
  public:
@@ -71,28 +66,17 @@ class Part {
 
   // Nodes whose weights are those of rules for each coordinate, times height and density; and by how much their sum is
   // off.
-  std::vector<Node> nodes(const std::array<int, 2>& counts, double& off) const {
-    const LegendreRule<double>&along = legendre_rule<double>(counts[0]), &across = legendre_rule<double>(counts[1]);
-    std::vector<Node> result;
-    result.reserve(cells_.size() * along.node.size() * across.node.size());
+  WeightedPoints3 nodes(const std::array<int, 2>& counts, double& off) const {
+    WeightedPoints3 result;
     off = 0;
-    for (const PatchCell3<double>& cell : cells_)
-      for (std::size_t a = 0; a < along.node.size(); ++a)
-        for (std::size_t b = 0; b < across.node.size(); ++b) {
-          const std::array<double, 4> share = shares_of_corners(along.node, a, across.node, b);
-          Node node{{}, 0};
-          std::array<Approximation<double>, 4> heights;
-          for (std::size_t c = 0; c < 4; ++c) {
-            node.at = node.at + share[c] * outline_.corners[cell.corner[c]];
-            heights[c] = heights_[cell.corner[c]];
-          }
-          const Approximation<double> height = mixed(share, heights), density = mixed(share, cell.density);
-          const double weight = along.weight[a] * across.weight[b];
-          node.weight = weight * (height.value * density.value);
-          off += weight * (height.value * density.error + (density.value + density.error) * height.error) +
-                 6 * kRound * node.weight;
-          result.push_back(node);
-        }
+    for (const PatchCell3<double>& cell : cells_) {
+      WeightedCell3 weighted{{}, {}, cell.density};
+      for (std::size_t c = 0; c < 4; ++c) {
+        weighted.corner[c] = outline_.corners[cell.corner[c]];
+        weighted.height[c] = heights_[cell.corner[c]];
+      }
+      result.add(weighted, legendre_rule<double>(counts[0]), legendre_rule<double>(counts[1]), off);
+    }
     off *= 1.001;
     return result;
   }
@@ -160,16 +144,13 @@ std::optional<Approximation<double>> measure_of_distant(const LocalPair3& pair, 
     }
 
   double off_first = 0, off_second = 0;
-  const std::vector<Node> outer = first.nodes(counts[0], off_first), inner = second.nodes(counts[1], off_second);
+  const WeightedPoints3 outer = first.nodes(counts[0], off_first), inner = second.nodes(counts[1], off_second);
   CompensatedSum<double> sum;
   double sum_outer = 0, sum_inner = 0;
-  for (const Node& node : inner) sum_inner += node.weight;
-  WeightedPoints3 points;
-  points.reserve(inner.size());
-  for (const Node& node : inner) points.add(node.at, node.weight);
-  for (const Node& x : outer) {
-    sum.add(x.weight * sum_over_fourth_powers(x.at, points));
-    sum_outer += x.weight;
+  for (const double weight : inner.weight) sum_inner += weight;
+  for (std::size_t k = 0; k < outer.size(); ++k) {
+    sum.add(outer.weight[k] * sum_over_fourth_powers({outer.x[k], outer.y[k], outer.z[k]}, inner));
+    sum_outer += outer.weight[k];
   }
   const double value = sum.value() / pi, power = distance * distance * distance * distance;
   const double off = first.off() + second.off() + 2 * kRound * (distance + 2 * (first.radius() + second.radius()));
