@@ -58,8 +58,6 @@ ProvenVector3<Real> proven_vector_3(const WideVector3<Real>& vector) {
   return result;
 }
 
-ProvenVector3<double> in_doubles_3(const ProvenVector3<double>& vector) { return vector; }
-
 template <class Real>
 ProvenVector3<double> in_doubles_3(const ProvenVector3<Real>& vector) {
   ProvenVector3<double> result;
