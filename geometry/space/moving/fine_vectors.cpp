@@ -129,6 +129,11 @@ WideVector3<Real> MovingPlanes3::wide_direction(const MovingCorner3& corner, dou
 template <class Real>
 MovingPlanes3::WholeVector<Real> MovingPlanes3::whole_vector(const ExactPolynomial& exact, double low,
                                                              double high) const {
+  if constexpr (std::is_same_v<Real, double>) {
+    const auto [about, base] = about_shortest(exact, low, high);
+    const MovingVector3 found = rounded_powers(about.powers, base);
+    if (!is_short_somewhere(found, low, high)) return found;
+  }
   const auto [about, base] = about_shortest(without_zeros(exact, low, high), low, high);
   if constexpr (std::is_same_v<Real, double>)
     return rounded_powers(about.powers, base);

@@ -44,9 +44,10 @@ bool keeps_sign_3(const std::array<double, 3>& c, const std::array<double, 3>& e
 }
 
 // The same of integers, at numbers that doubles are. Where there is no root, or a double one, the sign is the same on
-// both sides of it.
+// both sides of it. A line has the sign of its values at both ends.
 bool keeps_sign_3(const std::array<Integer, 3>& c, int sign, double left, double right) {
-  if (c[1] * c[1] <= 4 * c[0] * c[2]) return true;
+  const bool is_line = sgn(c[2]) == 0;
+  if (is_line ? sgn(c[1]) == 0 : c[1] * c[1] <= 4 * c[0] * c[2]) return true;
   Integer l, r;
   unsigned places_of_left, places_of_right;
   split_double_3(left, l, places_of_left);
@@ -54,6 +55,10 @@ bool keeps_sign_3(const std::array<Integer, 3>& c, int sign, double left, double
   const unsigned places = std::max(places_of_left, places_of_right);
   l <<= places - places_of_left;
   r <<= places - places_of_right;
+  if (is_line) {
+    const Integer c0 = c[0] << places;
+    return sgn(c0 - l * c[1]) * sign > 0 && sgn(c0 + r * c[1]) * sign > 0;
+  }
   // All times 4^places.
   const Integer c0 = sign * (c[0] << 2 * places), c1 = sign * (c[1] << places), c2 = sign * c[2];
   const Integer q0 = c0 - l * (c1 - l * c2), q1 = c0 + r * (c1 + r * c2);

@@ -1,5 +1,4 @@
-// Numbers of which it is known how far they may be off: real ones in balls, complex ones in discs. Internal to
-// geometry/space.
+// Real numbers of which it is known how far they may be off. Internal to geometry/space.
 #pragma once
 
 #include <cmath>
@@ -87,35 +86,5 @@ Ball3<Real> arc_tangent(const Ball3<Real>& a) {
   const Real mid = atan(a.mid);
   return {mid, up(a.rad + kOfLibrary * kRoundoff<Real> * size_of(mid))};
 }
-
-// A complex number, no further from re + i im than `rad`; as Ball3. root() and arc_tangent() are the principal ones,
-// and nothing is known of them where the disc meets a cut, or may: so what is made of discs without infinite radii is
-// one analytic function all over them.
-struct Disc3 {
-  double re = 0, im = 0, rad = 0;
-
-  static Disc3 of(double value, double error) { return {value, 0, error}; }
-  // How far the centre is from zero, at most.
-  double size() const { return std::sqrt(re * re + im * im) * ball_arithmetic_3::kUp + ball_arithmetic_3::kTiny; }
-  // The sum of both parts, which are rounded in proportion to it.
-  double parts() const { return std::fabs(re) + std::fabs(im); }
-};
-
-inline Disc3 operator+(const Disc3& a, const Disc3& b) {
-  using namespace ball_arithmetic_3;
-  const Disc3 sum{a.re + b.re, a.im + b.im, 0};
-  return {sum.re, sum.im, up(a.rad + b.rad + kUnit * sum.parts())};
-}
-inline Disc3 operator-(const Disc3& a) { return {-a.re, -a.im, a.rad}; }
-inline Disc3 operator-(const Disc3& a, const Disc3& b) { return a + -b; }
-inline Disc3 operator*(const Disc3& a, const Disc3& b) {
-  using namespace ball_arithmetic_3;
-  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re,
-          up(a.size() * b.rad + b.size() * a.rad + a.rad * b.rad + 4 * kUnit * (a.parts() * b.parts()))};
-}
-
-Disc3 inverse(const Disc3& a);
-Disc3 root(const Disc3& a);
-Disc3 arc_tangent(const Disc3& a);
 
 }  // namespace hottel

@@ -98,7 +98,7 @@ Ball3<double> EdgeEnclosure3::enclose(const PairStretch3& stretch, const SurePar
   PieceEncloser3<Real> encloser(piece, moment, std::max(allowed, kOfMoment * moment.size * most), most, counts_);
   Ball3<double> result = encloser.enclose(part.piece.low, part.piece.high);
   // In its gaps something else may be seen.
-  result.rad = up(result.rad + part.gaps * (moment.size * most + encloser.largest()));
+  result.rad = up(result.rad + part.gaps * (moment.size * most + encloser.most_in_gaps(part.gaps)));
   return result;
 }
 

@@ -26,13 +26,13 @@ void scale(ProvenVector3<Real>& v) {
   v.is_linear = last.x == 0 && last.y == 0 && last.z == 0 && v.error[2] == 0;
   const double size = std::max({largest(v.power[0]), largest(v.power[1]), largest(v.power[2])});
   if (!(size > 0) || !std::isfinite(size)) return;
-  const int shift = -std::ilogb(size);
-  for (std::size_t k = 0; k < 3; ++k) {
-    using std::ldexp;
-    LocalVector3<Real>& p = v.power[k];
-    p = {Real(ldexp(p.x, shift)), Real(ldexp(p.y, shift)), Real(ldexp(p.z, shift))};
-    v.error[k] = std::ldexp(v.error[k], shift) + 0x1p-1000;
-  }
+  // In two steps, each by a power that a double is.
+  const int shift = -std::ilogb(size), first = shift / 2;
+  for (const double power : {std::ldexp(1.0, first), std::ldexp(1.0, shift - first)})
+    for (std::size_t k = 0; k < 3; ++k) {
+      v.power[k] = Real(power) * v.power[k];
+      v.error[k] = v.error[k] * power + 0x1p-1000;
+    }
 }
 
 }  // namespace
@@ -57,8 +57,6 @@ ProvenVector3<Real> proven_vector_3(const WideVector3<Real>& vector) {
   scale(result);
   return result;
 }
-
-ProvenVector3<double> in_doubles_3(const ProvenVector3<double>& vector) { return vector; }
 
 template <class Real>
 ProvenVector3<double> in_doubles_3(const ProvenVector3<Real>& vector) {

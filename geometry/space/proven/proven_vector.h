@@ -24,11 +24,11 @@ ProvenVector3<double> proven_vector_3(const MovingVector3& vector);
 template <class Real>
 ProvenVector3<Real> proven_vector_3(const WideVector3<Real>& vector);
 // In doubles.
-ProvenVector3<double> in_doubles_3(const ProvenVector3<double>& vector);
+inline const ProvenVector3<double>& in_doubles_3(const ProvenVector3<double>& vector) { return vector; }
 template <class Real>
 ProvenVector3<double> in_doubles_3(const ProvenVector3<Real>& vector);
 
-// A vector of balls or discs.
+// A vector of balls.
 template <class Number>
 struct ProvenPoint3 {
   Number x, y, z;
