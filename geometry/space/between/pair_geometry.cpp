@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/space/vectors/short_integers.h"
+#include "geometry/space/arrangement/short_integers.h"
 #include "kernel/exact_double.h"
 
 namespace hottel {
@@ -56,7 +56,7 @@ void PairGeometry3::add_patch(const Occluders3& occluders, const Patch3& patch) 
     VertexId3 same = VertexId3::none();
     if (!patch.is_sky())
       for (const VertexId3 v : occluders.outline(patch.surface))
-        if (is_at_vertex(corner, patch.weight, occluders.vertices().exact(v))) same = v;
+        if (is_at_vertex_3(corner, patch.weight, occluders.vertices().exact(v))) same = v;
     if (!same.is_none()) {
       body.corners.push_back(vertex(occluders, same));
       continue;
@@ -71,7 +71,7 @@ void PairGeometry3::add_patch(const Occluders3& occluders, const Patch3& patch) 
              !(std::fabs(weight * p.approximate.z - p.approximate_weight * approximate.z) > slack);
     };
     const auto is_same = [&](const Point& p) {
-      return may_be_same(p) && is_at_vertex(multiple(p.weight(), corner), patch.weight, p.exact());
+      return may_be_same(p) && is_at_vertex_3(multiple(p.weight(), corner), patch.weight, p.exact());
     };
     const auto known = std::find_if(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(others), is_same);
     body.corners.push_back(known == points.begin() + static_cast<std::ptrdiff_t>(others)

@@ -8,10 +8,10 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/space/arrangement/short_integers.h"
 #include "geometry/space/arrangement/surface_boxes.h"
 #include "geometry/space/arrangement/whole_patch.h"
 #include "geometry/space/hiding/outward_plane.h"
-#include "geometry/space/vectors/short_integers.h"
 #include "kernel/exact_double.h"
 
 namespace hottel {
@@ -279,7 +279,8 @@ class Hiders3::Proof {
       if (const double height = plane.height(patches_[of]->corners[k]); std::fabs(height) > deep_)
         sign = height > 0 ? 1 : -1;
       else
-        sign = plane_side(exact.outward, patch.corners[k], patch.weight, hiders_.occluders_.vertices().exact(exact.at));
+        sign =
+            plane_side_3(exact.outward, patch.corners[k], patch.weight, hiders_.occluders_.vertices().exact(exact.at));
       result.has_outside |= sign > 0;
       result.has_inside |= sign < 0;
     }

@@ -1,5 +1,5 @@
 // Exact questions about points with short and with long coordinates, held against Integers.
-#include "geometry/space/vectors/short_integers.h"
+#include "geometry/space/arrangement/short_integers.h"
 
 #include <gtest/gtest.h>
 
@@ -31,13 +31,13 @@ class Numbers {
 };
 
 TEST(ShortInteger, IsThereUpToItsBits) {
-  EXPECT_EQ(short_integer(0, 31), 0);
-  EXPECT_EQ(short_integer(-5, 3), -5);
-  EXPECT_FALSE(short_integer(8, 3));
+  EXPECT_EQ(short_integer_3(0, 31), 0);
+  EXPECT_EQ(short_integer_3(-5, 3), -5);
+  EXPECT_FALSE(short_integer_3(8, 3));
   const Integer most = (Integer(1) << 62) - 1;
-  EXPECT_EQ(short_integer(Integer(-most), 62), -((std::int64_t{1} << 62) - 1));
-  EXPECT_FALSE(short_integer(Integer(most + 1), 62));
-  EXPECT_FALSE(short_integer(Integer(1) << 64, 62));
+  EXPECT_EQ(short_integer_3(Integer(-most), 62), -((std::int64_t{1} << 62) - 1));
+  EXPECT_FALSE(short_integer_3(Integer(most + 1), 62));
+  EXPECT_FALSE(short_integer_3(Integer(1) << 64, 62));
 }
 
 TEST(PlaneSide, IsThatOfIntegers) {
@@ -55,7 +55,7 @@ TEST(PlaneSide, IsThatOfIntegers) {
     }
     const int expected = sgn(dot(normal, difference(point, multiple(weight, vertex))));
     on += expected == 0;
-    ASSERT_EQ(plane_side(normal, point, weight, vertex), expected) << k;
+    ASSERT_EQ(plane_side_3(normal, point, weight, vertex), expected) << k;
   }
   EXPECT_GT(on, 4000);
 }
@@ -70,7 +70,7 @@ TEST(IsAtVertex, IsThatOfIntegers) {
     if (const int moved = numbers.among(6); moved < 3) *(std::array{&point.x, &point.y, &point.z}[moved]) += 1;
     const bool expected = is_zero(difference(point, multiple(weight, vertex)));
     at += expected;
-    ASSERT_EQ(is_at_vertex(point, weight, vertex), expected) << k;
+    ASSERT_EQ(is_at_vertex_3(point, weight, vertex), expected) << k;
   }
   EXPECT_GT(at, 8000);
 }
