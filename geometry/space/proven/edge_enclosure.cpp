@@ -21,7 +21,7 @@ constexpr double kOfPlace = 0x1p-45;
 constexpr double kOfQuotient = 0x1p-50;
 // Rules are to be no further off than this part of what is allowed, and need not be nearer than this part of the
 // moment.
-constexpr double kOfRules = 0x1p-10, kOfMoment = 0x1p-56;
+constexpr double kOfRules = 0x1p-11, kOfMoment = 0x1p-56;
 // Doubles are to leave no more than this part of what is allowed of all; else more digits are asked where they leave
 // more than that part of what is allowed there.
 constexpr double kOfAll = 0.5, kOfDoubles = 0.125;

@@ -3,6 +3,9 @@
 // A unit vector along b + d, |d| <= off, is no further than off / |b|, times a little more than 1, from that along b.
 // So with unit vectors b, e and n, each off by that much, the point (x, y) = (n . (b x e), b . e), which is on the unit
 // circle, is off by what b and e are together: b x e is along n, so what n is off counts by its square alone.
+//
+// The angle of (x + dx, y + dy) is off by dx y - dy x, as a sine. The product n . (b x w), w = e - b, is rounded by no
+// more than 3.5 |w| + 9 |x| units, the length of n included, and b . e by 3: little where b and e are close.
 #include "geometry/space/proven/node_lanes.h"
 
 #include <algorithm>
@@ -31,15 +34,17 @@ struct SumLanes {
 
 // Unit vectors that are further off tell no angle. What is off by less counts so much more than by itself.
 constexpr double kMostOff = 0x1p-10, kMore = 1 + 0x1p-9;
-// What sums of products of unit vectors are rounded, and all that is known of an angle.
-constexpr double kOfProducts = 14 * kUnit, kOfMoments = 10 * kUnit, kAnyAngle = 7;
+// What components of unit vectors, sums of products of them, and products with the moment are rounded.
+constexpr double kOfUnits = 2 * kUnit, kOfSine = 20 * kUnit, kOfMoments = 10 * kUnit;
+// All that is known of an angle.
+constexpr double kAnyAngle = 7;
 
 }  // namespace
 
 HOTTEL_FOR_EACH_PROCESSOR
 static void set_directions(const PartVector3& vector, const Lanes& at, DirectionLanes& to) {
   const auto& [v, w, z] = vector.power;
-  const double off = vector.off_at_nodes() * kMore;
+  const auto [off, more_off, most_off] = vector.off_at_nodes();
   for (std::size_t k = 0; k < kNodeLanes3; ++k) {
     const double s = at[k];
     const double a = v.x + s * (w.x + s * z.x), b = v.y + s * (w.y + s * z.y), c = v.z + s * (w.z + s * z.z);
@@ -47,7 +52,7 @@ static void set_directions(const PartVector3& vector, const Lanes& at, Direction
     to.x[k] = scale * a;
     to.y[k] = scale * b;
     to.z[k] = scale * c;
-    to.off[k] = scale * off;
+    to.off[k] = kMore * scale * (off + std::fabs(s) * (more_off + std::fabs(s) * most_off));
   }
 }
 
@@ -65,13 +70,15 @@ static void add_arc(double half, int turn, const DirectionLanes& b, const Direct
   const double most = std::fabs(half), asks = turn == 0 ? 1 : 0;
   for (std::size_t k = 0; k < kNodeLanes3; ++k) {
     const double bx = b.x[k], by = b.y[k], bz = b.z[k], ex = e.x[k], ey = e.y[k], ez = e.z[k];
-    const double sine = n.x[k] * (by * ez - bz * ey) + n.y[k] * (bz * ex - bx * ez) + n.z[k] * (bx * ey - by * ex);
+    const double x = ex - bx, y = ey - by, z = ez - bz;
+    const double sine = n.x[k] * (by * z - bz * y) + n.y[k] * (bz * x - bx * z) + n.z[k] * (bx * y - by * x);
     const double cosine = bx * ex + by * ey + bz * ez;
     const double n_off = n.off[k], both = b.off[k] + e.off[k];
-    const double off = both + n_off * n_off + kOfProducts;
-    const double doubt = cosine < 0 ? asks * (kMore * off - std::fabs(sine)) : 0.0;
+    const double products = std::fabs(cosine) * (3.5 * std::sqrt(x * x + y * y + z * z) + 9 * std::fabs(sine));
+    const double off = both + n_off * n_off + kOfUnits + kUnit * (products + 3 * std::fabs(sine));
+    const double doubt = cosine < 0 ? asks * (kMore * off + kOfSine - std::fabs(sine)) : 0.0;
     const double angle = arc_angle(sine, cosine, turn);
-    const double angle_off = both + n_off < kMostOff ? kMore * off + 0x1p-50 * std::fabs(angle) : kAnyAngle;
+    const double angle_off = both + n_off < kMostOff ? kMore * off + 0x1p-51 * std::fabs(angle) : kAnyAngle;
     const double moment = n.moment[k], moment_off = n.moment_off[k];
     const double term = half * (moment * angle);
     sum.value[k] += term;

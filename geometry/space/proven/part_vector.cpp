@@ -73,21 +73,21 @@ PartVector3::PartVector3(const ProvenVector3<double>& vector, double low, double
   const double of_p = length(p), of_q = length(q);
   if (vector.is_linear) {
     power = {p + d * q, half * q, {}};
-    error = {up(e0 + far * e1 + off * (of_q + e1) + 2 * kUnit * (of_p + 2 * far * of_q)),
-             up(half * (e1 + 4 * kUnit * of_q)), 0};
+    error = {up(e0 + far * e1 + off * (of_q + e1) + kUnit * (of_p + 2 * far * of_q)),
+             up(half * (e1 + 2 * kUnit * of_q)), 0};
   } else {
     const double e2 = kRootOfThree * vector.error[2], of_r = length(r);
     power = {p + d * (q + d * r), half * (q + (2 * d) * r), (half * half) * r};
     error = {up(e0 + far * (e1 + far * e2) + off * (of_q + e1 + (2 * far + off) * (of_r + e2)) +
-                2 * kUnit * (of_p + far * (2 * of_q + 3 * far * of_r))),
-             up(half * (e1 + 2 * far * e2 + 2 * off * (of_r + e2) + 4 * kUnit * (of_q + 2 * far * of_r))),
+                kUnit * (of_p + far * (3 * of_q + 4 * far * of_r))),
+             up(half * (e1 + 2 * far * e2 + 2 * off * (of_r + e2) + kUnit * (3 * of_q + 8 * far * of_r))),
              up(half * half * (e2 + 5 * kUnit * of_r))};
   }
   size = {length(power[0]), length(power[1]), length(power[2])};
 }
 
-double PartVector3::off_at_nodes() const {
-  return up(error[0] + error[1] + error[2] + kUnit * (size[0] + 5 * size[1] + 8 * size[2]));
+std::array<double, 3> PartVector3::off_at_nodes() const {
+  return {up(error[0] + kUnit * size[0]), up(error[1] + 6 * kUnit * size[1]), up(error[2] + 10 * kUnit * size[2])};
 }
 
 // The height is 1 - a^2 / (4 b) to the half, and b is no less than a^2 / 4 in spite of rounding.

@@ -19,8 +19,9 @@ struct PartVector3 {
   PartVector3(const ProvenVector3<double>& vector, double low, double half);
 
   bool is_linear() const { return size[2] == 0; }
-  // How far it is off at most where doubles make it at an x from -1 to 1 that is off by 2^-52 itself.
-  double off_at_nodes() const;
+  // Where doubles make it at an x from -1 to 1 that is off by 3 units itself, it is off by no more than these times 1,
+  // |x| and x^2.
+  std::array<double, 3> off_at_nodes() const;
 };
 
 // What a vector comes to on the ellipses with foci -1 and 1, filled, by their half axis from focus to focus. Where its
