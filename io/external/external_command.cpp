@@ -15,7 +15,6 @@
 #include <string_view>
 
 #include "geometry/name.h"
-#include "io/files/abandoned.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
 #include "kernel/support/stopwatch.h"
@@ -155,27 +154,7 @@ std::string outcome_text(int status) {
 
 }  // namespace
 
-ScratchFolder::ScratchFolder() {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path();
-  remove_abandoned(folder, Abandoned::kFolders);
-  for (bool is_held = false; !is_held;) {
-    std::string pattern = (folder / temporary_folder_pattern()).string();
-    if (!::mkdtemp(pattern.data()))
-      throw RequestError("no folder can be made in " + folder.string() + ": " + std::strerror(errno));
-    path_ = pattern;
-    pending_ = PendingRemoval(pattern, Removal::kFolder);
-    // Commands inherit it: the folder is in use for as long as one runs that outlives this process.
-    held_ = ::open(pattern.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW);
-    is_held = held_ < 0 ? std::filesystem::exists(path_) : hold_temporary(held_, pattern);
-    if (!is_held && held_ >= 0) ::close(held_);
-  }
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-  if (held_ >= 0) ::close(held_);
-}
+ScratchFolder::ScratchFolder() : OwnFolder(std::filesystem::temp_directory_path(), Abandoned::kRunFolders) {}
 
 CommandRun run_external_command(const std::string& command, const std::string& scene, const ScratchFolder& scratch) {
   const std::string named = "the command " + quoted_name(command);

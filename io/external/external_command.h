@@ -4,25 +4,14 @@
 #include <filesystem>
 #include <string>
 
-#include "io/files/pending_removal.h"
+#include "io/files/held_folder.h"
 
 namespace hottel {
 
-// A folder for the output of one command; removed at the end, also by a signal, whatever is in it. Those that killed
-// runs left are removed first (io/files/abandoned.h).
-class ScratchFolder {
+// A folder for the output of one command, among the temporary files of the system.
+class ScratchFolder : public OwnFolder {
  public:
   ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder();
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-  PendingRemoval pending_;
-  int held_ = -1;
 };
 
 // What a command left behind, and how long it took.

@@ -18,8 +18,11 @@
 namespace hottel {
 namespace {
 
-constexpr std::string_view kFilePrefix = ".hottel-", kFileEnding = ".tmp", kFolderPrefix = "hottel-run-";
+constexpr std::string_view kPrefixes[] = {".hottel-", "hottel-run-", "hottel-sums-"};  // by Abandoned
+constexpr std::string_view kFileEnding = ".tmp";
 constexpr std::time_t kDay = 24 * 60 * 60;  // seconds
+
+std::string_view prefix_of(Abandoned what) { return kPrefixes[static_cast<std::size_t>(what)]; }
 
 bool is_number(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
@@ -36,8 +39,8 @@ std::string_view take_part(std::string_view& text) {
 // The kernel in the name of a temporary; empty in those of earlier versions, nothing for other names.
 std::optional<std::string> kernel_of(std::string_view name, Abandoned what) {
   const bool is_file = what == Abandoned::kFiles;
-  if (!name.starts_with(is_file ? kFilePrefix : kFolderPrefix)) return std::nullopt;
-  name.remove_prefix((is_file ? kFilePrefix : kFolderPrefix).size());
+  if (!name.starts_with(prefix_of(what))) return std::nullopt;
+  name.remove_prefix(prefix_of(what).size());
   if (is_file) {
     if (!name.ends_with(kFileEnding)) return std::nullopt;
     name.remove_suffix(kFileEnding.size());
@@ -109,12 +112,12 @@ const std::string& running_kernel() {
 }
 
 std::string temporary_file_name(int k) {
-  return std::string(kFilePrefix) + std::to_string(::getpid()) + "-" + std::to_string(k) + "-" + running_kernel() +
-         std::string(kFileEnding);
+  return std::string(prefix_of(Abandoned::kFiles)) + std::to_string(::getpid()) + "-" + std::to_string(k) + "-" +
+         running_kernel() + std::string(kFileEnding);
 }
 
-std::string temporary_folder_pattern() {
-  return std::string(kFolderPrefix) + std::to_string(::getpid()) + "-" + running_kernel() + "-XXXXXX";
+std::string temporary_folder_pattern(Abandoned kind) {
+  return std::string(prefix_of(kind)) + std::to_string(::getpid()) + "-" + running_kernel() + "-XXXXXX";
 }
 
 bool hold_temporary(int descriptor, const std::string& path) {

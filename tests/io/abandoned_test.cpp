@@ -149,7 +149,7 @@ TEST_F(AbandonedFiles, AndScratchFoldersAreHeldByTheCommandsInThem) {
   const auto in_another_process = [this] {
     const pid_t child = ::fork();
     if (child == 0) {
-      remove_abandoned(folder_.path(), Abandoned::kFolders);
+      remove_abandoned(folder_.path(), Abandoned::kRunFolders);
       ::_exit(0);
     }
     ::waitpid(child, nullptr, 0);

@@ -1,7 +1,6 @@
 #include "io/sums/plane/sum_folder.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <limits>
@@ -30,10 +29,6 @@ constexpr const char* kEnding = ".sums";
 // Another one wherever sums of the same scene are others, or in another order, than before.
 constexpr const char* kKind = "plane sums 1";
 constexpr std::uint64_t kBytesInTable = 96;  // of a sum, while it is summed up
-
-fs::path place_of(const SumFolderRequest& asked) {
-  return asked.stays ? asked.folder : asked.folder / fmt::format("hottel-sums-{}", getpid());
-}
 
 // Two lists by key, as one.
 std::vector<PairSum2> added(const std::vector<PairSum2>& a, const std::vector<PairSum2>& b) {
@@ -84,17 +79,14 @@ SumFolder2::SumFolder2(SumFolderRequest asked, const PreparedScene2& prepared, c
       key_(sums_key(prepared, table, request)),
       estimated_pairs_(estimated_sight(prepared.arrangement, table).pairs),
       cuts_(table.count(), ranges_for_sums_2(estimated_pairs_, memory_)),
-      folder_(place_of(asked_)),
-      pending_(asked_.stays ? PendingRemoval() : PendingRemoval(place_of(asked_).string(), Removal::kFolder)) {
+      folder_(asked_.folder) {
   Stopwatch watch;
+  if (!asked_.stays) own_.emplace(asked_.folder, Abandoned::kSumFolders);
+  place_ = own_ ? own_->path() : asked_.folder;
+  require_hold();
   take_chunks();
   require_room();
-  try {
-    sweep(request);
-  } catch (...) {
-    if (!asked_.stays) fs::remove_all(place_of(asked_));
-    throw;
-  }
+  sweep(request);
   report.seconds["sweep"] = watch.lap();
   for (const Chunk& chunk : chunks_) {
     report.gaps += chunk.head.counts.gaps;
@@ -108,9 +100,18 @@ SumFolder2::~SumFolder2() {
   for (const Chunk& chunk : chunks_) fs::remove(chunk.file, ignored);
 }
 
+// Two runs in one folder would remove, and write anew, what the other reads.
+void SumFolder2::require_hold() {
+  if (own_) return;
+  hold_ = FolderHold(place_);
+  if (hold_.is_held()) return;
+  throw InputError({place_.string(), 0}, "another run keeps its sums there until it ends",
+                   {"wait for it, or name another folder"});
+}
+
 // Takes what an earlier run left, in the order of their places; of two that have a place in common the first.
 void SumFolder2::take_chunks() {
-  for (const auto& entry : fs::directory_iterator(place_of(asked_)))
+  for (const auto& entry : fs::directory_iterator(place_))
     if (entry.path().extension() == kEnding) take(entry.path());
   std::ranges::sort(chunks_, {}, [](const Chunk& chunk) { return chunk.head.begin; });
   std::uint64_t end = 0;
@@ -145,7 +146,7 @@ void SumFolder2::require_room() const {
   const std::uint64_t needed = disk_for_sums_2(estimated_pairs_) + estimated_pairs_ * asked_.bytes_beside;
   const std::uint64_t there = bytes();
   if (needed > there)
-    require_space(place_of(asked_) / kEnding, needed - there,
+    require_space(place_ / kEnding, needed - there,
                   fmt::format("the sums{} of about {} pairs take about", asked_.bytes_beside > 0 ? " and factors" : "",
                               estimated_pairs_),
                   "");
@@ -193,7 +194,7 @@ double SumFolder2::sweep_chunk(std::span<const VertexId> order, std::size_t begi
   SumChunkHead2 head{key_, fmt::format("{} by hottel {}", prepared_.scene.file, kVersion), begin, end};
   const PairSums2 sums = sum_pairs_about(order.subspan(begin, end - begin), prepared_.arrangement, table_, progress,
                                          std::numeric_limits<std::uint64_t>::max(), head.counts);
-  const fs::path file = place_of(asked_) / fmt::format("{:012}{}", begin, kEnding);
+  const fs::path file = place_ / fmt::format("{:012}{}", begin, kEnding);
   head = write_sum_chunk(file, std::move(head), sums, table_, cuts_);
   chunks_.push_back({file, std::move(head)});
   const double by_memory = static_cast<double>(memory_) / 4 / static_cast<double>((sums.size() + 1) * kBytesInTable);

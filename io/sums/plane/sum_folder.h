@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "geometry/exchange_request.h"
 #include "geometry/plane/exchange/sum_source.h"
 #include "geometry/plane/prepared/prepared_scene.h"
+#include "io/files/held_folder.h"
 #include "io/files/output_file.h"
 #include "io/sums/plane/sum_chunk.h"
 
@@ -37,7 +39,8 @@ struct SumFolderRequest {
 //   (3) nobody else's are taken, nor removed: InputError naming the file, the scene that it is of, and a remedy
 //   (4) beside the prepared scene a sweep takes about half of the memory of the request, and a range as much
 //   (5) without forget() they stay where that is asked for; else they are in a folder of their own in this one, which
-//       the destructor removes, or the signal that ends the program
+//       the destructor removes, or the signal that ends the program, or the next run here after one that was killed
+//   (6) sums that stay are those of one run at a time: InputError where another one has the folder
 class SumFolder2 final : public SumSource2 {
  public:
   // Sweeps what is not there. Throws RequestError before the sweep where the disk has no room for the sums; OutputError
@@ -63,6 +66,7 @@ class SumFolder2 final : public SumSource2 {
     SumChunkHead2 head;
   };
 
+  void require_hold();
   void take_chunks();
   void take(const std::filesystem::path& file);
   void require_own(const std::filesystem::path& file, const SumChunkHead2& head) const;
@@ -79,7 +83,9 @@ class SumFolder2 final : public SumSource2 {
   std::uint64_t estimated_pairs_;
   RowCuts cuts_;
   OutputFolder folder_;
-  PendingRemoval pending_;
+  std::optional<OwnFolder> own_;  // where sums do not stay
+  std::filesystem::path place_;
+  FolderHold hold_;            // where they stay
   std::vector<Chunk> chunks_;  // by place
 };
 

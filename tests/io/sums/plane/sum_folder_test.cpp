@@ -11,6 +11,7 @@
 #include "geometry/plane/exchange/exact_rows.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/generate/generators.h"
+#include "io/files/abandoned.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "tests/geometry/plane/exchange_scenes.h"
@@ -160,6 +161,33 @@ TEST(SumFolder2, RefusesSumsOfOthersByName) {
   EXPECT_NE(text.find("holds sums of first.json by hottel "), std::string::npos) << text;
   EXPECT_NE(text.find("remove " + (place / "d").string()), std::string::npos) << text;
   EXPECT_EQ(files_in(place / "d"), before);
+}
+
+// Of two runs at once the second would read chunks that the first removes or writes anew.
+TEST(SumFolder2, SumsThatStayAreOfOneRunAtATime) {
+  const TemporaryFolder place;
+  OnDisk scene(generated("clutter", 200, 1), 100'000), other(generated("clutter", 200, 1), 100'000);
+  {
+    SumFolder2 first = scene.folder(place / "d", true);
+    const std::string text = refusal([&] { other.folder(place / "d", true); });
+    EXPECT_EQ(text, (place / "d").string() + ": another run keeps its sums there until it ends");
+    scene.expect_rows_of_the_matrix(first);
+    other.expect_rows_of_the_matrix(other.folder(place / "d", false));  // beside them, in a folder of its own
+  }
+  EXPECT_EQ(refusal([&] { other.folder(place / "d", true).forget(); }), "");
+  EXPECT_TRUE(files_in(place.path()).empty() || files_in(place / "d").empty());
+}
+
+TEST(SumFolder2, RemovesWhatAKilledRunLeft) {
+  const TemporaryFolder place;
+  const fs::path left = place / ("hottel-sums-1-" + running_kernel() + "-abcdef"), kept = place / "hottel-sums-1";
+  for (const fs::path& folder : {left, kept}) {
+    fs::create_directory(folder);
+    std::ofstream(folder / "000000000000.sums") << "half";
+  }
+  OnDisk scene(generated("clutter", 200, 1), 100'000);
+  scene.expect_rows_of_the_matrix(scene.folder(place.path(), false));
+  EXPECT_EQ(files_in(place.path()), std::vector{kept}) << "of an earlier version, less than a day old";
 }
 
 TEST(SumFolder2, RefusesDamagedChunks) {
