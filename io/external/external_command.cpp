@@ -13,8 +13,10 @@
 #include <cstring>
 #include <ctime>
 #include <string_view>
+#include <system_error>
 
 #include "geometry/name.h"
+#include "io/files/output_file.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
 #include "kernel/support/stopwatch.h"
@@ -152,9 +154,16 @@ std::string outcome_text(int status) {
   return "ended with status " + std::to_string(WEXITSTATUS(status));
 }
 
+std::filesystem::path place_of_scratch() {
+  std::error_code missing;
+  const std::filesystem::path place = std::filesystem::temp_directory_path(missing);
+  if (missing) throw OutputError("TMPDIR", "names no folder for temporary files: " + missing.message());
+  return place;
+}
+
 }  // namespace
 
-ScratchFolder::ScratchFolder() : OwnFolder(std::filesystem::temp_directory_path(), Abandoned::kRunFolders) {}
+ScratchFolder::ScratchFolder() : OwnFolder(place_of_scratch(), Abandoned::kRunFolders) {}
 
 CommandRun run_external_command(const std::string& command, const std::string& scene, const ScratchFolder& scratch) {
   const std::string named = "the command " + quoted_name(command);
