@@ -9,6 +9,7 @@
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "io/external/external_grid.h"
 #include "io/results/grid_report.h"
+#include "io/results/space/light_region.h"
 #include "kernel/support/counted.h"
 #include "solver/compare/grid_errors.h"
 #include "solver/plane/light/illumination_grid.h"
@@ -91,7 +92,7 @@ JudgedGrid judge_grid(const std::string& file, const MethodComparison2& comparis
       if (std::abs((*external.region)[0][k] - min[k]) > allowed ||
           std::abs((*external.region)[1][k] - max[k]) > allowed)
         throw InputError(
-            {file + ".json", 0}, "says that the grid lies elsewhere than that of the scene",
+            {name_beside(file), 0}, "says that the grid lies elsewhere than that of the scene",
             {"the scene may say where: \"grid\": {\"min\": [x, y], \"max\": [x, y], \"cells\": [nx, ny]}"});
     }
   return judged(external, exact_light_on(comparison, grid).values, solution,
@@ -112,6 +113,9 @@ JudgedGrid judge_grid(const std::string& file, const MethodComparison3& comparis
   const ExternalGrid external = read_external_grid(file);
   require_channels(external, solution);
   require_cells(external, grid.nu, grid.nv);
+  if (external.region_in_space && !are_sides_of(*external.region_in_space, grid))
+    throw InputError({name_beside(file), 0}, "says that the grid lies elsewhere than that of the scene",
+                     {"\"origin\" is the corner of the first cell, \"u\" and \"v\" are the sides from there"});
   return judged(external, exact_light_on(comparison, grid).values, solution,
                 {to_doubles(grid.origin), to_doubles(grid.u), to_doubles(grid.v), grid.nu, grid.nv, true}, beyond);
 }

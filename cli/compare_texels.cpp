@@ -43,15 +43,7 @@ void require_cells(const ExternalGrid& grid) {
 }
 
 void require_place(const TexelFacts& facts, const std::string& name, const Grid3& grid) {
-  if (!facts.region) return;
-  const GridRegion3 own = region_of(grid);
-  double size = 0, off = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    size = std::max({size, std::abs(own.u[k]), std::abs(own.v[k])});
-    const auto& [origin, u, v] = *facts.region;
-    off = std::max({off, std::abs(origin[k] - own.origin[k]), std::abs(u[k] - own.u[k]), std::abs(v[k] - own.v[k])});
-  }
-  if (off > 1e-9 * size)
+  if (facts.region && !are_sides_of(*facts.region, grid))
     throw InputError({facts.file, 0}, "says that the texels lie elsewhere than those of '" + name + "'",
                      {"\"origin\" is the first corner of the polygon, \"u\" goes to its second, \"v\" to its last"});
 }

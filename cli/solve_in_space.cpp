@@ -79,7 +79,8 @@ void require_what_space_has(const SolveOptions& options) {
                      options.show);
   if (options.shading == "gathered" && !options.render.empty() && !renders_numbers(options) &&
       picture_format(options.render) != PictureFormat::kPng)
-    throw UsageError("gathered light has no shapes: --render writes it as .png, not '" + options.render + "'");
+    throw UsageError("gathered light is of pixels: --render writes it as .png, .exr or .npy, not '" + options.render +
+                     "'");
   if (options.no_outlines && options.show == usual.show)
     throw UsageError("--no-outlines goes with --show of something else than light, which has none");
 }

@@ -47,7 +47,7 @@ std::vector<std::string> near_names(std::string_view name, std::span<const std::
   for (const std::string& each : known) {
     const std::size_t longer = std::max(each.size(), wanted.size()), shorter = std::min(each.size(), wanted.size());
     const std::string candidate = each.size() > kLongestCompared ? "" : lowered(each);
-    if (candidate.empty()) continue;
+    if (candidate.empty() || each == name) continue;
     if (longer - shorter <= most)
       if (const std::size_t distance = edit_distance(wanted, candidate); distance <= most) {
         found.emplace_back(distance, each);

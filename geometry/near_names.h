@@ -19,6 +19,7 @@ inline constexpr std::size_t kMostNearNames = 3;
 //   (2) after those of (1) come names that go on where `name` ends ("room[0]" for "room"), the shortest first
 //   (3) equally near ones come in the order given
 //   (4) nothing is near an empty name; names of more than 200 bytes are not compared
+//   (5) a name is not near itself: who asks for it wants something else of that name, such as light of the sky
 //
 // COST: the product of the lengths for each known name of a similar length.
 // SEE: the edit distance of Damerau, where no letter is changed twice.

@@ -9,12 +9,8 @@
 namespace hottel {
 namespace {
 
-std::optional<std::array<std::array<double, 2>, 2>> region_beside(const std::filesystem::path& file) {
-  const std::string beside = file.string() + ".json";
-  std::error_code ignored;
-  if (!std::filesystem::exists(beside, ignored)) return std::nullopt;
-  const auto json = nlohmann::json::parse(read_text_file(beside), nullptr, false);
-  if (!json.is_object() || !json.contains("region") || !json["region"].is_object()) return std::nullopt;
+std::optional<std::array<std::array<double, 2>, 2>> region_in_plane(const nlohmann::json& json) {
+  if (!json.contains("region") || !json["region"].is_object()) return std::nullopt;
   std::array<std::array<double, 2>, 2> region{};
   const std::array<const char*, 2> corners = {"min", "max"};
   for (std::size_t c = 0; c < 2; ++c) {
@@ -28,14 +24,24 @@ std::optional<std::array<std::array<double, 2>, 2>> region_beside(const std::fil
   return region;
 }
 
+void require_light_at_centres(const nlohmann::json& facts, const std::string& beside) {
+  const std::string quantity = text_in(facts, "quantity").value_or("mean irradiance"),
+                    way = text_in(facts, "illumination").value_or("point");
+  if (quantity == "mean irradiance" && way == "point") return;
+  throw InputError({beside, 0},
+                   "says that the numbers are '" + quantity + "'" + (way == "point" ? "" : " by '" + way + "'") +
+                       ", and what is compared is the mean irradiance at the centres of cells",
+                   {"hottel solve writes that with --illumination point, as it does without it"});
+}
+
 }  // namespace
 
 ExternalGrid read_external_cells(const std::filesystem::path& file) {
   const std::string name = file.string(), text = read_text_file(file);
   if (!text.starts_with("\x93NUMPY")) throw InputError({name, 0}, "is no array of NumPy (.npy)");
   const NumpyArray array = parse_numpy(name, text, 3);
-  ExternalGrid grid{name, array.shape[0], array.shape[1], array.shape.size() == 3 ? array.shape[2] : 1, {}, {}, false,
-                    {}};
+  ExternalGrid grid{
+      name, array.shape[0], array.shape[1], array.shape.size() == 3 ? array.shape[2] : 1, {}, {}, false, {}, {}};
   grid.has_channels = array.shape.size() == 3;
   grid.digits.relative = array.relative_rounding();
   grid.values.resize(array.count());
@@ -49,7 +55,11 @@ ExternalGrid read_external_cells(const std::filesystem::path& file) {
 
 ExternalGrid read_external_grid(const std::filesystem::path& file) {
   ExternalGrid grid = read_external_cells(file);
-  grid.region = region_beside(file);
+  const std::optional<nlohmann::json> facts = facts_beside(file);
+  if (!facts || !facts->is_object()) return grid;
+  require_light_at_centres(*facts, name_beside(file));
+  grid.region = region_in_plane(*facts);
+  grid.region_in_space = region_in_space(*facts);
   return grid;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "io/external/facts_beside.h"
 #include "solver/compare/written_factors.h"
 
 namespace hottel {
@@ -21,15 +22,17 @@ struct ExternalGrid {
   WrittenDigits digits;       // of float32 or float64
   bool has_channels = false;  // the file has a third index
 
-  // Corners of the outermost cells, where FILE.json says them, as hottel writes it beside illumination.npy.
-  std::optional<std::array<std::array<double, 2>, 2>> region;  // min, max
+  // Where FILE.json says that the cells lie, as hottel writes it beside illumination.npy.
+  std::optional<std::array<std::array<double, 2>, 2>> region;  // in the plane: min, max of the outermost cells
+  std::optional<RegionFacts3> region_in_space;
 };
 
 // Reads a NumPy array of the shape (ny, nx) or (ny, nx, channels), float64 or float32, in C or in Fortran order. Throws
 // InputError for anything else. COST: the file and its numbers in memory.
 ExternalGrid read_external_cells(const std::filesystem::path& file);
 
-// The same with the region of FILE.json if there is one.
+// The same with the region of FILE.json if there is one. Throws InputError too where that says that the numbers are
+// something else than mean irradiances at the centres of cells, such as averages.
 ExternalGrid read_external_grid(const std::filesystem::path& file);
 
 }  // namespace hottel

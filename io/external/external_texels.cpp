@@ -7,34 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "io/files/text_file.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {
 
 using Json = nlohmann::json;
-
-std::optional<std::string> text_of(const Json& json, const char* key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_string() ? std::optional(found->get<std::string>()) : std::nullopt;
-}
-
-std::optional<std::array<std::array<double, 3>, 3>> region_of(const Json& json) {
-  const auto found = json.find("region");
-  if (found == json.end() || !found->is_object()) return std::nullopt;
-  std::array<std::array<double, 3>, 3> region{};
-  const std::array<const char*, 3> keys = {"origin", "u", "v"};
-  for (std::size_t k = 0; k < keys.size(); ++k) {
-    const auto way = found->find(keys[k]);
-    if (way == found->end() || !way->is_array() || way->size() != 3) return std::nullopt;
-    for (std::size_t c = 0; c < 3; ++c) {
-      if (!(*way)[c].is_number()) return std::nullopt;
-      region[k][c] = (*way)[c].get<double>();
-    }
-  }
-  return region;
-}
 
 void require_shape(const Json& json, const ExternalGrid& grid, const std::string& beside) {
   if (!json.contains("shape")) return;
@@ -49,13 +27,12 @@ void require_shape(const Json& json, const ExternalGrid& grid, const std::string
 
 ExternalTexels read_external_texels(const std::filesystem::path& file) {
   ExternalTexels texels{read_external_cells(file), {}};
-  const std::string beside = file.string() + ".json";
-  std::error_code ignored;
-  if (!std::filesystem::exists(beside, ignored)) return texels;
-  const Json json = Json::parse(read_text_file(beside), nullptr, false);
-  if (!json.is_object()) throw InputError({beside, 0}, "is no JSON object that says what the texels are");
-  require_shape(json, texels.values, beside);
-  texels.facts = {beside, text_of(json, "face"), text_of(json, "quantity"), region_of(json)};
+  const std::string beside = name_beside(file);
+  const std::optional<Json> json = facts_beside(file);
+  if (!json) return texels;
+  if (!json->is_object()) throw InputError({beside, 0}, "is no JSON object that says what the texels are");
+  require_shape(*json, texels.values, beside);
+  texels.facts = {beside, text_in(*json, "face"), text_in(*json, "quantity"), region_in_space(*json)};
   return texels;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "io/external/external_grid.h"
+#include "io/external/facts_beside.h"
 
 namespace hottel {
 
@@ -14,7 +15,7 @@ namespace hottel {
 struct TexelFacts {
   std::string file;  // empty: there is none
   std::optional<std::string> face, quantity;
-  std::optional<std::array<std::array<double, 3>, 3>> region;  // origin, u, v [unit of the scene]
+  std::optional<RegionFacts3> region;
 };
 
 // The texels of a face: a value for each texel and channel, as ExternalGrid has them, row 0 at its first corner.

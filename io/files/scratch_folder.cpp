@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstdlib>
@@ -14,26 +13,34 @@
 #include "io/files/output_file.h"
 
 namespace hottel {
+namespace {
+
+std::filesystem::path place_of_temporaries() {
+  std::error_code missing;
+  const std::filesystem::path place = std::filesystem::temp_directory_path(missing);
+  if (missing) throw OutputError("TMPDIR", "names no folder for temporary files: " + missing.message());
+  return place;
+}
+
+}  // namespace
+
+ScratchFolder::ScratchFolder() : ScratchFolder(place_of_temporaries()) {}
 
 ScratchFolder::ScratchFolder(const std::filesystem::path& within) {
   remove_abandoned(within, Abandoned::kFolders);
-  for (bool is_held = false; !is_held;) {
+  while (!hold_.is_held()) {
     std::string pattern = (within / temporary_folder_pattern()).string();
     if (!::mkdtemp(pattern.data()))
       throw OutputError(within.string(), "no folder can be made there: " + std::string(std::strerror(errno)));
     path_ = pattern;
     pending_ = PendingRemoval(pattern, Removal::kFolder);
-    // Commands inherit it: the folder is in use for as long as one runs that outlives this process.
-    held_ = ::open(pattern.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW);
-    is_held = held_ < 0 ? std::filesystem::exists(path_) : hold_temporary(held_, pattern);
-    if (!is_held && held_ >= 0) ::close(held_);
+    hold_ = FolderHold(path_);
   }
 }
 
 ScratchFolder::~ScratchFolder() {
   std::error_code ignored;
   std::filesystem::remove_all(path_, ignored);
-  if (held_ >= 0) ::close(held_);
 }
 
 void ScratchFolder::touch() const { (void)::utimensat(AT_FDCWD, path_.c_str(), nullptr, 0); }

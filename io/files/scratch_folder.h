@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "io/files/folder_hold.h"
 #include "io/files/pending_removal.h"
 
 namespace hottel {
@@ -14,8 +15,9 @@ namespace hottel {
 //       as this process, or a command that it started, is there
 class ScratchFolder {
  public:
-  // Throws OutputError where no folder can be made.
-  explicit ScratchFolder(const std::filesystem::path& within = std::filesystem::temp_directory_path());
+  // Throw OutputError where no folder can be made.
+  ScratchFolder();  // in the system's folder of temporary files
+  explicit ScratchFolder(const std::filesystem::path& within);
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
   ~ScratchFolder();
@@ -27,7 +29,7 @@ class ScratchFolder {
  private:
   std::filesystem::path path_;
   PendingRemoval pending_;
-  int held_ = -1;
+  FolderHold hold_;
 };
 
 }  // namespace hottel

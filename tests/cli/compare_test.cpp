@@ -270,6 +270,33 @@ TEST(Compare, HoldsLightOnAGridInSpaceAgainstTheExactOne) {
   EXPECT_THAT(outcome.err, HasSubstr("the worst is cell 3, 2"));
 }
 
+// Numbers of something else would be told to be errors.
+TEST(Compare, RefusesNumbersThatAreNoLightAtCentres) {
+  const Workplace place;
+  place.write("room.json", R"({"hottel": 1, "dimension": 3, "materials": {"m": {"reflectivity": 0.5, "emission": 1}},
+    "polygons": [{"name": "f", "points": [[0,0,0],[2,0,0],[2,2,0],[0,2,0]], "material": "m"}],
+    "grid": {"origin": [0,0,1], "u": [2,0,0], "v": [0,1,0], "cells": [4, 3]}})");
+  const auto said = [&](const std::string& scene, const std::string& options, const std::string& file) {
+    EXPECT_EQ(place.run("hottel solve '" + scene + "' -o solved --quiet " + options).code, 0);
+    const Outcome outcome = place.run("hottel compare '" + scene + "' --repeat 1 -o out --grid-file solved/" + file);
+    EXPECT_EQ(outcome.code, 3) << options;
+    return outcome.err;
+  };
+  EXPECT_THAT(said(kSquare, "--grid 8x6 --illumination average", "illumination.npy"),
+              StartsWith("solved/illumination.npy.json: says that the numbers are 'mean irradiance' by 'average', and "
+                         "what is compared is the mean irradiance at the centres of cells"));
+  EXPECT_THAT(said(kSquare, "--grid 8x6 --show irradiance", "shown.npy"), HasSubstr("says that the numbers are '"));
+  EXPECT_THAT(said("room.json", "--illumination average", "illumination.npy"), HasSubstr("'irradiance' by 'average'"));
+  EXPECT_EQ(place
+                .run("hottel solve room.json -o solved --quiet && "
+                     "sed -i 's/\"origin\": .0,0,1./\"origin\": [0,0,1.5]/' room.json")
+                .code,
+            0);
+  const Outcome moved = place.run("hottel compare room.json --repeat 1 -o out --grid-file solved/illumination.npy");
+  EXPECT_EQ(moved.code, 3);
+  EXPECT_THAT(moved.err, StartsWith("solved/illumination.npy.json: says that the grid lies elsewhere"));
+}
+
 TEST(Compare, RefusesGridsThatDoNotFit) {
   const Workplace place;
   ASSERT_EQ(place

@@ -99,6 +99,14 @@ TEST_P(EndedTwice, LeavesNoScratchFolderAndNoProcess) {
 INSTANTIATE_TEST_SUITE_P(, EndedTwice, testing::Values("INT", "TERM", "HUP"),
                          [](const auto& test) { return std::string(test.param); });
 
+TEST(LeftBehind, WhereThereIsNoPlaceForTemporaryFilesThatIsSaid) {
+  const Workplace place;
+  const Outcome outcome = place.run("TMPDIR=$PWD/none hottel compare " + kBox + " --methods run:false -o out --quiet");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("TMPDIR: names no folder for temporary files: "));
+  EXPECT_THAT(place.files(), testing::IsEmpty());
+}
+
 TEST(LeftBehind, ACommandThatIsTerminatedLeavesNoFolder) {
   const Workplace place;
   const Outcome outcome =

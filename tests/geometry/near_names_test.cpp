@@ -35,6 +35,11 @@ TEST(NearNames, AreAtMostThreeTheNearestFirstAndEachOnce) {
               ElementsAre("window1", "window2", "window3"));
 }
 
+TEST(NearNames, AreOthers) {
+  EXPECT_THAT(near("sky", {"sky", "skyline"}), ElementsAre("skyline"));
+  EXPECT_THAT(near("sky", {"sky"}), IsEmpty());
+}
+
 TEST(NearNames, OfVeryLongNamesThereAreNone) {
   const std::string name(100'000, 'a');
   EXPECT_THAT(near(name, {name + "b"}), IsEmpty());

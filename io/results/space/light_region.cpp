@@ -1,6 +1,8 @@
 #include "io/results/space/light_region.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "kernel/written_double.h"
 
@@ -14,6 +16,17 @@ GridRegion3 region_of(const Grid3& grid) {
   if (grid.w) region.w = told(*grid.w);
   region.nw = grid.nw;
   return region;
+}
+
+bool are_sides_of(const std::array<std::array<double, 3>, 3>& told, const Grid3& grid) {
+  const GridRegion3 own = region_of(grid);
+  const auto& [origin, u, v] = told;
+  double size = 0, off = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    size = std::max({size, std::abs(own.u[k]), std::abs(own.v[k])});
+    off = std::max({off, std::abs(origin[k] - own.origin[k]), std::abs(u[k] - own.u[k]), std::abs(v[k] - own.v[k])});
+  }
+  return off <= 1e-9 * size;
 }
 
 std::vector<std::size_t> array_shape(const Grid3& grid) {

@@ -82,6 +82,7 @@ SumFolder2::SumFolder2(SumFolderRequest asked, const PreparedScene2& prepared, c
       folder_(asked_.folder) {
   if (!asked_.stays) own_.emplace(asked_.folder);
   Stopwatch watch;
+  require_hold();
   take_chunks();
   require_room();
   sweep(request);
@@ -96,6 +97,15 @@ SumFolder2::~SumFolder2() {
   if (asked_.stays || own_) return;
   std::error_code ignored;
   for (const Chunk& chunk : chunks_) fs::remove(chunk.file, ignored);
+}
+
+// Two runs in one folder would remove, and write anew, what the other reads.
+void SumFolder2::require_hold() {
+  if (own_) return;
+  hold_ = FolderHold(place());
+  if (hold_.is_held()) return;
+  throw InputError({place().string(), 0}, "another run keeps its sums there until it ends",
+                   {"wait for it, or name another folder"});
 }
 
 // Takes what an earlier run left, in the order of their places; of two that have a place in common the first.

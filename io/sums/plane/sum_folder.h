@@ -14,6 +14,7 @@
 #include "geometry/exchange_request.h"
 #include "geometry/plane/exchange/sum_source.h"
 #include "geometry/plane/prepared/prepared_scene.h"
+#include "io/files/folder_hold.h"
 #include "io/files/output_file.h"
 #include "io/files/scratch_folder.h"
 #include "io/sums/plane/sum_chunk.h"
@@ -41,6 +42,7 @@ struct SumFolderRequest {
 //   (5) without forget() they stay where that is asked for; else they are in a folder of their own in this one, which
 //       the destructor removes, or the signal that ends the program, or the next such run in this folder
 //       (ScratchFolder)
+//   (6) sums that stay are those of one run at a time: InputError where another one has the folder
 class SumFolder2 final : public SumSource2 {
  public:
   // Sweeps what is not there. Throws RequestError before the sweep where the disk has no room for the sums; OutputError
@@ -68,6 +70,7 @@ class SumFolder2 final : public SumSource2 {
 
   // Where the chunks are.
   const std::filesystem::path& place() const { return own_ ? own_->path() : asked_.folder; }
+  void require_hold();
   void take_chunks();
   void take(const std::filesystem::path& file);
   void require_own(const std::filesystem::path& file, const SumChunkHead2& head) const;
@@ -85,6 +88,7 @@ class SumFolder2 final : public SumSource2 {
   RowCuts cuts_;
   OutputFolder folder_;
   std::optional<ScratchFolder> own_;  // unless chunks stay
+  FolderHold hold_;                   // where they do
   std::vector<Chunk> chunks_;         // by place
 };
 

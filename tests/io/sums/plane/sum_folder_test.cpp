@@ -175,6 +175,21 @@ TEST(SumFolder2, RefusesSumsOfOthersByName) {
   EXPECT_EQ(files_in(place / "d"), before);
 }
 
+// Of two runs at once the second would read chunks that the first removes or writes anew.
+TEST(SumFolder2, SumsThatStayAreOfOneRunAtATime) {
+  const TemporaryFolder place;
+  OnDisk scene(generated("clutter", 200, 1), 100'000), other(generated("clutter", 200, 1), 100'000);
+  {
+    SumFolder2 first = scene.folder(place / "d", true);
+    const std::string text = refusal([&] { other.folder(place / "d", true); });
+    EXPECT_EQ(text, (place / "d").string() + ": another run keeps its sums there until it ends");
+    scene.expect_rows_of_the_matrix(first);
+    other.expect_rows_of_the_matrix(other.folder(place / "d", false));  // beside them, in a folder of its own
+  }
+  EXPECT_EQ(refusal([&] { other.folder(place / "d", true).forget(); }), "");
+  EXPECT_TRUE(files_in(place.path()).empty() || files_in(place / "d").empty());
+}
+
 TEST(SumFolder2, RefusesDamagedChunks) {
   const TemporaryFolder place;
   OnDisk scene(generated("clutter", 200, 1), 100'000);
