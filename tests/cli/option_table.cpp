@@ -708,7 +708,7 @@ const std::vector<OptionEntry>& option_entries() {
        {{"hottel solve $Q -o out --shading smooth", "--shading in the plane is for the values of --show"},
         {"hottel solve $Q -o out --show net --shading gathered", "--shading gathered is for scenes in space"},
         {"hottel solve $C -o out --show sky --shading gathered", "light, radiosity, irradiance and net are gathered"},
-        {"hottel solve $C -o out --shading gathered --render p.svg", "gathered light has no shapes"},
+        {"hottel solve $C -o out --shading gathered --render p.svg", "gathered light is of pixels"},
         {"hottel solve $C -o out --shading round", "round"},
         {"hottel solve $C -o out --shading smooth --no-picture", "excludes"}}},
       {"solve",

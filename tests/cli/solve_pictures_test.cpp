@@ -181,7 +181,7 @@ TEST(SolvePictures, WhatIsNotThereIsRefused) {
       EXPECT_THAT(outcome.err, HasSubstr(message)) << scene << ' ' << options;
     }
   EXPECT_THAT(place.run("hottel solve cube.json --show factor:cieling -o out").err, HasSubstr("ceiling"));
-  EXPECT_THAT(place.run("hottel solve square.json --shading smooth -o out").err, HasSubstr("of the values of --show"));
+  EXPECT_THAT(place.run("hottel solve square.json --shading smooth -o out").err, HasSubstr("for the values of --show"));
   EXPECT_THAT(place.run("hottel solve square.json --show net --size 50 -o out").err, HasSubstr("is 200 at least"));
   EXPECT_FALSE(std::filesystem::exists(place.path("out")));
 }
