@@ -354,7 +354,8 @@ TEST(Compare, RefusesGridsOfAnotherShapeThanTheScenes) {
               HasSubstr("none/illumination.npy: has the shape (8, 4), and the grid of the scene (4, 8): the axes are "
                         "exchanged"));
   said("space.json", "space", 0);
-  EXPECT_THAT(said("space.json", "turned", 3), HasSubstr("has the shape (4, 3), and the grid of the scene (3, 4): the axes are"));
+  EXPECT_THAT(said("space.json", "turned", 3),
+              HasSubstr("has the shape (4, 3), and the grid of the scene (3, 4): the axes are"));
   EXPECT_THAT(said("space.json", "own", 3), HasSubstr("has the shape (4, 8), and the grid of the scene (3, 4)\n"));
   EXPECT_THAT(said("bare.json", "space", 3),
               HasSubstr("space/illumination.npy: is light on a grid, and the scene does not say where one lies"));
