@@ -21,12 +21,12 @@ namespace hottel {
 //   (3) a matrix that is not kExact does not tell on which side the true values are: FactorEntry::factor.side is 0
 //   (4) by elements, |F_ij - exact F_ij| <= claimed_errors(prepared)(i, j) for every pair, and <= declared_error where
 //       there is one
-//   (5) a method that looks into every direction says how much of the sky it sees
 //   (5) a method that looks in all directions measures the sky as it does faces
 //   (6) a method that looks at pairs only has no entry for the sky in rows of elements inside closed walls; for an
 //       element that borders the open space the factor of the sky is max(0, 1 - the sum of the others). So inside
 //       closed walls the row defect shows the whole error of a row sum;
 //       in the open it shows only whether the sum is above 1
+//   (7) factors_of_pairs(), if there are any, are the entries of compute() by elements, bit for bit
 template <class Prepared>
 class ExchangeMethod {
  public:
