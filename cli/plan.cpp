@@ -129,7 +129,7 @@ Planned plan_of(const PlanOptions& options, Scene2 scene) {
 }
 
 Planned plan_of(const PlanOptions& options, Scene3 scene) {
-  if (!options.out_of_core.empty()) throw UsageError("--out-of-core is of scenes in the plane");
+  if (!options.out_of_core.empty()) throw UsageError("--out-of-core is for scenes in the plane");
   options.elements.apply_to(scene);
   const std::uint64_t cells = cells_of(grids_of(scene, options.grid));
   Planned result{nullptr, memory_of(options, scene, cells), {}, {}};

@@ -583,7 +583,7 @@ const std::vector<OptionEntry>& option_entries() {
        "--out-of-core",
        "hottel plan $S --out-of-core d",
        "hottel plan $S",
-       {{"hottel plan $C --out-of-core d", "--out-of-core is of scenes in the plane"}}},
+       {{"hottel plan $C --out-of-core d", "--out-of-core is for scenes in the plane"}}},
       {"plan", "--json", "hottel plan $S --json", "hottel plan $S"},
       {"plan",
        "--memory",
