@@ -28,6 +28,7 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/with_file_context.h"
 #include "solver/plane/simulation/simulation.h"
+#include "solver/space/light/illumination_grid.h"
 #include "solver/space/simulation/simulation.h"
 
 namespace hottel {

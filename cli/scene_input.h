@@ -12,6 +12,7 @@
 #include "cli/streams.h"
 #include "geometry/plane/scene/scene.h"
 #include "geometry/space/scene/triangulator.h"
+#include "io/scene/passed_over.h"
 #include "io/scene/plane/map_defaults.h"
 #include "io/scene/scene_json.h"
 #include "io/scene/space/vs3_reader.h"

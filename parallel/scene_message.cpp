@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/element_tree.h"
+#include "geometry/element.h"
 #include "io/scene/binary_scene.h"
 
 namespace hottel {

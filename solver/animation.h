@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/element_tree.h"
+#include "geometry/element.h"
 #include "geometry/exchange_matrix.h"
 #include "kernel/rational.h"
 #include "kernel/support/failure.h"

@@ -18,6 +18,7 @@
 
 #include "io/scene/scene_json.h"
 #include "solver/plane/simulation/simulation.h"
+#include "solver/radiosity/direct_light.h"
 #include "solver/space/methods/method_catalogue.h"
 #include "solver/space/simulation/simulation.h"
 

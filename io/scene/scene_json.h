@@ -6,18 +6,23 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <variant>
 
 #include "geometry/plane/scene/scene.h"
 #include "geometry/space/scene/scene.h"
-#include "geometry/space/scene/triangulator.h"
-#include "io/files/text_file.h"
-#include "io/scene/passed_over.h"
-#include "io/scene/plane/map_defaults.h"
 
 namespace hottel {
+
+class PassedOver;
+class Triangulator3;
+enum class MapSide2 : unsigned char;
+
+// As io/files/text_file.h has them.
+std::string read_text_file(const std::filesystem::path& file);
+using TextSource = std::function<std::string(const std::filesystem::path&)>;
 
 // A scene of either dimension.
 using Scene = std::variant<Scene2, Scene3>;
@@ -25,7 +30,7 @@ using Scene = std::variant<Scene2, Scene3>;
 // Returns the scene of a file. The file is one of these:
 //
 //   JSON                        in the plane or in space, as its "dimension" says
-//   a map (.geojson, .wkt)      in the plane, its polygons seen from `side`
+//   a map (.geojson, .wkt)      in the plane, its polygons seen from `side`, by default from inside
 //   a drawing (.svg)            in the plane
 //   a mesh (mesh_format_3)      in space
 //   a deck of View3D (.vs3)     in space
@@ -42,14 +47,13 @@ using Scene = std::variant<Scene2, Scene3>;
 // Throws InputError with file, line and surface for everything that docs/scene_format.md does not allow, unknown and
 // duplicate keys included: nothing else is ignored.                      COST: linear; 10^6 edges take about 5 s.
 Scene read_scene(const std::filesystem::path& file, Triangulator3* triangulator = nullptr,
-                 PassedOver* passed_over = nullptr, MapSide2 side = MapSide2::kInside);
+                 PassedOver* passed_over = nullptr, MapSide2 side = {});
 
 // The same for a text without a file name, and so without an ending. It may be JSON; GeoJSON, which has a "type"; a
 // drawing, which begins with '<'; a mesh that begins with solid, ply, OFF or a statement of OBJ, or has the length that
 // a binary STL file states; or well-known text.
 Scene parse_any_scene(std::string_view text, const std::string& name_for_messages,
-                      Triangulator3* triangulator = nullptr, PassedOver* passed_over = nullptr,
-                      MapSide2 side = MapSide2::kInside);
+                      Triangulator3* triangulator = nullptr, PassedOver* passed_over = nullptr, MapSide2 side = {});
 
 // The same for a JSON text in memory. Files that it names are found relative to the folder of name_for_messages, and
 // come from `files`.
@@ -57,8 +61,7 @@ Scene parse_scene(std::string_view text, const std::string& name_for_messages,
                   const TextSource& files = read_text_file);
 
 // The same for one dimension only: a scene of the other one is refused before its surfaces are read.
-Scene2 read_scene_2(const std::filesystem::path& file, PassedOver* passed_over = nullptr,
-                    MapSide2 side = MapSide2::kInside);
+Scene2 read_scene_2(const std::filesystem::path& file, PassedOver* passed_over = nullptr, MapSide2 side = {});
 Scene2 parse_scene_2(std::string_view text, const std::string& name_for_messages);
 Scene3 read_scene_3(const std::filesystem::path& file, Triangulator3* triangulator = nullptr,
                     PassedOver* passed_over = nullptr);

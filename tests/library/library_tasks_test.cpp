@@ -1,6 +1,7 @@
-// The tasks of docs/library.md: each is compiled and run here, against hottel.h alone.
+// The tasks of docs/library.md: each is compiled and run here, against hottel.h and, for the last, hottel_visibility.h.
 #include <gtest/gtest.h>
 #include <hottel.h>
+#include <hottel_visibility.h>
 
 #include <algorithm>
 #include <cstdio>

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/plane/point.h"
-#include "geometry/plane/scene/light_place.h"
 #include "geometry/scene_table.h"
 
 namespace hottel {
@@ -15,6 +15,25 @@ namespace hottel {
 struct Edge2 {
   Point2 from, to;
   friend bool operator==(const Edge2&, const Edge2&) = default;
+};
+
+// A way through points at constant speed, once in so many seconds; a closed one leads back to its first point, and is
+// walked over and over.
+struct LightPath2 {
+  std::vector<Point2> points;  // two at least, not all the same
+  Rational seconds = 1;        // above 0
+  bool closed = false;
+  friend bool operator==(const LightPath2&, const LightPath2&) = default;
+};
+
+// One light of a scene: what Light leaves open.
+struct LightPlace2 {
+  Point2 position;         // of no meaning for a sun
+  Point2 direction{1, 0};  // of a spot: along the axis of its beam; of a sun: of its rays; of any length, not zero
+  Rational turned = 0;     // how far the axis is turned from there, in degrees, counter-clockwise
+  Rational rotation = 0;   // of the axis, in degrees a second, counter-clockwise
+  std::optional<LightPath2> path = {};  // what the position follows when time passes
+  friend bool operator==(const LightPlace2&, const LightPlace2&) = default;
 };
 
 // The most cells of a grid along one axis.

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/element_tree.h"
+#include "geometry/element.h"
 #include "geometry/space/scene/scene.h"
 #include "kernel/determinant.h"
 

@@ -9,16 +9,19 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/plane/check/finding.h"
 #include "geometry/plane/exchange/closed_promise.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/prepared/element_table.h"
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
+#include "kernel/support/stage.h"
 #include "kernel/support/stopwatch.h"
 #include "kernel/support/with_file_context.h"
 #include "solver/dividing/dividing_estimate.h"
 #include "solver/methods/negative_factors.h"
+#include "solver/plane/check/scene_check.h"
 #include "solver/plane/dividing/estimate.h"
 #include "solver/plane/light/illumination_grid.h"
 #include "solver/plane/light/light_rows.h"

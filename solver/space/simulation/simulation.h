@@ -12,33 +12,31 @@
 #include <string>
 #include <vector>
 
-#include "geometry/exchange_matrix.h"
+#include "geometry/element.h"
 #include "geometry/exchange_request.h"
-#include "geometry/row_choice.h"
-#include "geometry/space/exchange/exchange_report.h"
 #include "geometry/space/scene/scene.h"
-#include "kernel/support/stage.h"
+#include "kernel/support/interrupt.h"
 #include "solver/plan.h"
-#include "solver/radiosity/direct_light.h"
-#include "solver/radiosity/light_test.h"
 #include "solver/radiosity/radiosity_options.h"
 #include "solver/radiosity/radiosity_solution.h"
-#include "solver/radiosity/radiosity_solver.h"
-#include "solver/space/light/illumination_grid.h"
 #include "solver/space/methods/computed_factors.h"
-#include "solver/space/methods/exchange_method.h"
 
 namespace hottel {
 
+template <class Prepared>
+class ExchangeMethod;
 class FactorStore;
+class RadiositySolver;
 class RowWatch3;
 struct DividingEstimate;
+struct IlluminationGrid3;
+struct LightShares;
 struct PreparedScene3;
 
 // Which view factors are asked for, with the defaults.
 struct FactorsRequest3 {
   // The method; null means "exact". Only the exact method has visibilities, measures, limits and hidden pairs.
-  std::shared_ptr<const ExchangeMethod3> method = nullptr;
+  std::shared_ptr<const ExchangeMethod<PreparedScene3>> method = nullptr;
   Granularity granularity = Granularity::kFace;
   bool wants_visibility = false, wants_measures = false;  // beside the factors
   double tolerance = 1e-9;                                // as ExchangeRequest takes it

@@ -1,5 +1,5 @@
 // Which rows are asked for, and that asking for some changes none.
-#include "geometry/row_choice.h"
+#include "geometry/exchange_request.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 
-namespace hottel::row_choice_test {
+namespace hottel::exchange_request_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -111,4 +111,4 @@ TEST(RowChoice, RowsOfSpaceAreThoseOfTheWholeMatrix) {
 }
 
 }  // namespace
-}  // namespace hottel::row_choice_test
+}  // namespace hottel::exchange_request_test
