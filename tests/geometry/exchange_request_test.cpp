@@ -10,6 +10,7 @@
 
 #include "geometry/near_names.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/space/exchange/exchange.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
@@ -80,7 +81,7 @@ void expect_rows_of(const ExchangeMatrix& whole, const ExchangeMatrix& some, con
 }
 
 TEST(RowChoice, RowsOfThePlaneAreThoseOfTheWholeMatrix) {
-  for (const Scene2& scene : {room(), read_scene_2(source("scenes/showcase/apartment.json"))})
+  for (const Scene2& scene : std::vector<Scene2>{room(), read_scene_2(source("scenes/showcase/apartment.json"))})
     for (const Granularity granularity : {Granularity::kFace, Granularity::kElement, Granularity::kGroup})
       for (const std::string& word : {std::string("fronts"), scene.surfaces.front().name, scene.groups.back().name}) {
         const PreparedScene2 prepared = prepare(scene, Divided2::kYes);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/plane/point.h"
@@ -85,6 +86,33 @@ struct Scene2 : SceneTable {
 // (validate_grids), ContractViolation unless (1) does, there are as many places as lights and trees are whole. COST:
 // linear, for each light.
 void validate(const Scene2& scene);
+
+// A scene that is known to be valid: validation alone makes one, and what can be changed of it leaves it so. A Scene2
+// becomes one where it is asked for. It becomes a Scene2 again, which may be changed at will, where that is asked for.
+//
+//   (1) validate() holds for it
+class ValidScene2 {
+ public:
+  ValidScene2() = default;  // without surfaces
+  // Throws as validate() does. COST: that of validate().
+  ValidScene2(Scene2 scene) : scene_(std::move(scene)) { validate(scene_); }
+
+  const Scene2& operator*() const { return scene_; }
+  const Scene2* operator->() const { return &scene_; }
+  operator Scene2() const& { return scene_; }
+  operator Scene2() && { return std::move(scene_); }
+  operator SceneTable() const& = delete;  // that would be the scene without its shape
+  operator SceneTable() && = delete;
+
+  // Puts these grids in place of its own. Throws InputError naming the file unless they are valid.
+  void set_grids(std::vector<Grid2> grids);
+
+ private:
+  friend void divide_into(ValidScene2& scene, std::uint32_t n);
+  friend std::optional<std::uint32_t> divide_by_length(ValidScene2& scene, const Rational& h, std::uint32_t most);
+
+  Scene2 scene_;
+};
 
 // The point at t of the way from the first to the second point of an edge, exactly; t = 0 and t = 1 are its ends.
 Point2 point_at(const Edge2& edge, const Rational& t);

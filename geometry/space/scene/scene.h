@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/scene_table.h"
@@ -114,5 +115,32 @@ struct Scene3 : SceneTable {
 // Throws InputError naming file, line and surface or light unless (2) to (6) hold; ContractViolation unless (1) does
 // and there are as many places as lights. COST: that of polygon_problem, and linear for each light.
 void validate(const Scene3& scene);
+
+// A scene that is known to be valid: validation alone makes one, and what can be changed of it leaves it so. A Scene3
+// becomes one where it is asked for. It becomes a Scene3 again, which may be changed at will, where that is asked for.
+//
+//   (1) validate() holds for it
+class ValidScene3 {
+ public:
+  ValidScene3() = default;  // without surfaces
+  // Throws as validate() does. COST: that of validate().
+  ValidScene3(Scene3 scene) : scene_(std::move(scene)) { validate(scene_); }
+
+  const Scene3& operator*() const { return scene_; }
+  const Scene3* operator->() const { return &scene_; }
+  operator Scene3() const& { return scene_; }
+  operator Scene3() && { return std::move(scene_); }
+  operator SceneTable() const& = delete;  // that would be the scene without its shape
+  operator SceneTable() && = delete;
+
+  // Puts these grids in place of its own. Throws InputError naming the file unless they are valid.
+  void set_grids(std::vector<Grid3> grids);
+
+ private:
+  friend void divide_into(ValidScene3& scene, std::uint32_t n);
+  friend std::optional<std::uint32_t> divide_by_length(ValidScene3& scene, const Rational& h, std::uint32_t most);
+
+  Scene3 scene_;
+};
 
 }  // namespace hottel

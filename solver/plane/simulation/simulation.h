@@ -114,12 +114,15 @@ struct SimulationRequest2 {
 // where there is no solution, or none in doubles.
 class Simulation2 {
  public:
-  // Throws InputError naming file, line and surface unless the scene is valid (validate), UsageError where the
-  // request's grid is not valid (grid_problem).
-  explicit Simulation2(Scene2 scene, SimulationRequest2 request = {});
+  // A Scene2 is validated: throws InputError naming file, line and surface unless it is valid (validate). Throws
+  // UsageError where the request's grid is not valid (grid_problem).
+  explicit Simulation2(ValidScene2 scene, SimulationRequest2 request = {});
 
   // The version after an edit. COST: linear in the scene, which is compared with that of this version.
-  Simulation2 with_scene(Scene2 scene) const;  // throws as the constructor does
+  Simulation2 with_scene(ValidScene2 scene) const;  // throws as the constructor does
+  // The same scene with these trees in place of its own. Throws ContractViolation unless there is one for each surface,
+  // and each is whole (are_whole).
+  Simulation2 with_trees(std::vector<SurfaceTrees> trees) const;
   Simulation2 with_request(SimulationRequest2 request) const;
 
   const Scene2& scene() const;
