@@ -43,7 +43,7 @@ inline Scene2 furnished(std::uint64_t edges) {
 
 inline Room apartment() {
   const std::string file = "scenes/showcase/apartment.json";
-  return {"apartment/edges:" + std::to_string(read_scene_2(file).edges.size()), file, {}};
+  return {"apartment/edges:" + std::to_string(read_scene_2(file)->edges.size()), file, {}};
 }
 
 // A viewer of 1280 x 800 pixels that shows light, and what a mouse and a keyboard do to it.

@@ -305,7 +305,7 @@ void animate_scene(const AnimateOptions& options, AnyScene scene, Streams& strea
 
 ExitCode animate(const AnimateOptions& options, Streams& streams) {
   options.levels.require_sense();
-  Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams));
   require_light_in_watts(scene);
   if (auto* space = std::get_if<Scene3>(&scene))
     animate_scene<Space>(options, std::move(*space), streams);

@@ -81,7 +81,7 @@ ExitCode check_in_plane(const CheckCommandOptions& options, const Rational& dist
 
 ExitCode check(const CheckCommandOptions& options, Streams& streams) {
   const Rational distance = distance_of(options);
-  const Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  const Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams));
   if (const auto* in_space = std::get_if<Scene3>(&scene))
     return check_in_space(*in_space, options.scene, options.fix, distance, options.json, streams);
   return check_in_plane(options, distance, std::get<Scene2>(scene), streams);

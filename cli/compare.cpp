@@ -295,7 +295,7 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
 }
 
 ExitCode compare(const CompareOptions& options, Streams& streams) {
-  Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams));
   if (!options.divide.empty()) return compare_divided(options, std::move(scene), streams);
   if (auto* const in_space = std::get_if<Scene3>(&scene))
     return compare_in<ComparedSpace>(options, std::move(*in_space), streams);

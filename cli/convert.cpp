@@ -112,7 +112,7 @@ void convert_mesh(const ConvertOptions& options, Streams& streams) {
   if (!is_binary_scene_name(options.out)) note_lost_planes(mesh.scene, streams);
   write_as_scene(options, mesh.scene, streams);
   if (!mesh.invented.empty())
-    streams.note(fmt::format("{}; {}", counted(mesh.scene.surfaces.size(), "polygon"),
+    streams.note(fmt::format("{}; {}", counted(mesh.scene->surfaces.size(), "polygon"),
                              reflectivities(mesh.invented, kMeshReflectivity, "the mesh")));
 }
 
@@ -120,7 +120,7 @@ void convert_scene(const ConvertOptions& options, Streams& streams) {
   const auto format = mesh_format_3(options.out);
   if (format)
     return write_as_mesh(options, *format, read_scene_noting_3(options.in, options.polygons, streams), streams);
-  const Scene scene = read_scene_noting(options.in, options.polygons, streams);
+  const Scene scene = changeable(read_scene_noting(options.in, options.polygons, streams));
   const auto* space = std::get_if<Scene3>(&scene);
   if (space && !is_binary_scene_name(options.out)) note_lost_planes(*space, streams);
   std::visit([&](const auto& any) { write_as_scene(options, any, streams); }, scene);

@@ -9,7 +9,7 @@ namespace hottel {
 
 void write_deck(const std::string& in, const PolygonOptions& polygons, const std::string& out, const std::string& per,
                 const Streams& streams) {
-  const Scene scene = read_scene_noting(in, polygons, streams);
+  const Scene scene = changeable(read_scene_noting(in, polygons, streams));
   const Scene3* const in_space = std::get_if<Scene3>(&scene);
   if (in_space == nullptr)
     throw InputError({in, 0}, "the scene is in the plane (dimension 2); a deck (.vs3) is in space");

@@ -231,7 +231,7 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   options.format();
   if (!options.picture.empty() && !picture_format(options.picture))
     throw UsageError("a picture is written as .png, .svg or .pdf, not '" + options.picture + "'");
-  Scene scene = read_scene_noting(options.scene, options.polygons, streams, &options.deck);
+  Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams, &options.deck));
   options.awaits_deck = false;
   take_emit(options, streams);
   options.format();

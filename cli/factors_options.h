@@ -14,7 +14,7 @@
 #include "cli/store_option.h"
 #include "cli/streams.h"
 #include "cli/sums_option.h"
-#include "geometry/row_choice.h"
+#include "geometry/exchange_request.h"
 #include "io/results/factor_files.h"
 #include "io/results/factor_hdf5.h"
 

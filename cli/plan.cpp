@@ -141,7 +141,7 @@ Planned plan_of(const PlanOptions& options, Scene3 scene) {
 
 ExitCode plan(const PlanOptions& options, Streams& streams) {
   Planned planned = std::visit([&](auto&& scene) { return plan_of(options, std::move(scene)); },
-                               read_scene_noting(options.scene, options.polygons, streams));
+                               changeable(read_scene_noting(options.scene, options.polygons, streams)));
   const MachineSpeed speed = planned.effects || planned.lists ? machine_speed() : MachineSpeed();
   std::optional<Plan> here;
   if (planned.effects) here = plan_at_speed(*planned.effects, speed);

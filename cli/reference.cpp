@@ -28,6 +28,7 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/with_file_context.h"
 #include "solver/plane/simulation/simulation.h"
+#include "solver/space/light/illumination_grid.h"
 #include "solver/space/simulation/simulation.h"
 
 namespace hottel {
@@ -58,15 +59,15 @@ struct GivenScene {
 // Reads a scene. Returns whether its file by itself holds it.
 bool read_given(const std::string& file, const ReferenceOptions& options, const Streams& streams, GivenScene& given) {
   if (std::filesystem::path(file).extension() != ".json") {
-    given.scene = read_scene_noting(file, options.polygons, streams);
+    given.scene = changeable(read_scene_noting(file, options.polygons, streams));
     return false;
   }
   bool names_files = false;
   given.text = read_text_file(file);
-  given.scene = parse_scene(given.text, file, [&](const std::filesystem::path& mesh) {
+  given.scene = changeable(parse_scene(given.text, file, [&](const std::filesystem::path& mesh) {
     names_files = true;
     return read_text_file(mesh);
-  });
+  }));
   return !names_files;
 }
 
@@ -92,7 +93,7 @@ GivenScene given_scene(const std::string& file, const ReferenceOptions& options,
   std::visit([&](auto& scene) { change(options, scene); }, given.scene);
   given.text = text_of(file, given.scene);
   try {
-    given.scene = parse_scene(given.text, file);
+    given.scene = changeable(parse_scene(given.text, file));
   } catch (const InputError& error) {
     throw RequestError(
         file + ": as a scene file by itself, which `hottel convert` writes, it cannot be read: " + error.what());

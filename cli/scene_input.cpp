@@ -59,12 +59,23 @@ void note_unused(const DeckOutput3& output, const Streams& streams) {
 
 }  // namespace
 
-Scene read_scene_noting(const std::string& file, const PolygonOptions& options, const Streams& streams,
-                        DeckOutput3* output) {
+namespace {
+
+// The same without what is told of how it was read.
+ValidScene read_any(const std::string& file, Triangulator3* triangulator, PassedOver& passed_over, MapSide2 side) {
+  return file == kStandardInput
+             ? parse_any_scene(read_standard_input(), kStandardInputName, triangulator, &passed_over, side)
+             : read_scene(file, triangulator, &passed_over, side);
+}
+
+}  // namespace
+
+ValidScene read_scene_noting(const std::string& file, const PolygonOptions& options, const Streams& streams,
+                             DeckOutput3* output) {
   options.require_sense_for(file);
   Triangulator3 triangulator;
   Triangulator3* const used = options.triangulates ? &triangulator : nullptr;
-  Scene scene;
+  const auto tell_cuts = [&] { note_cuts(triangulator, streams); };
   if (is_vs3(file)) {
     Vs3Scene3 deck = read_vs3_3(file, used);
     for (const std::string& note : deck.notes) streams.note(note);
@@ -72,41 +83,39 @@ Scene read_scene_noting(const std::string& file, const PolygonOptions& options, 
       *output = deck.output;
     else
       note_unused(deck.output, streams);
-    scene = std::move(deck.scene);
-  } else {
-    PassedOver passed_over;
-    scene = file == kStandardInput
-                ? parse_any_scene(read_standard_input(), kStandardInputName, used, &passed_over, options.side())
-                : read_scene(file, used, &passed_over, options.side());
-    note_passed_over(passed_over, streams);
+    tell_cuts();
+    return std::move(deck.scene);
   }
-  if (options.triangulates && std::holds_alternative<Scene2>(scene))
+  PassedOver passed_over;
+  ValidScene scene = read_any(file, used, passed_over, options.side());
+  note_passed_over(passed_over, streams);
+  if (options.triangulates && std::holds_alternative<ValidScene2>(scene))
     throw UsageError("--triangulate cuts polygons in space; " + file + " is in the plane");
-  note_cuts(triangulator, streams);
+  tell_cuts();
   return scene;
 }
 
-Scene3 read_scene_noting_3(const std::string& file, const PolygonOptions& options, const Streams& streams) {
+ValidScene3 read_scene_noting_3(const std::string& file, const PolygonOptions& options, const Streams& streams) {
   options.require_sense_for(file);
-  if (is_vs3(file)) return std::get<Scene3>(read_scene_noting(file, options, streams));
+  if (is_vs3(file)) return std::get<ValidScene3>(read_scene_noting(file, options, streams));
   Triangulator3 triangulator;
   PassedOver passed_over;
-  Scene3 scene = read_scene_3(file, options.triangulates ? &triangulator : nullptr, &passed_over);
+  ValidScene3 scene = read_scene_3(file, options.triangulates ? &triangulator : nullptr, &passed_over);
   note_passed_over(passed_over, streams);
   note_cuts(triangulator, streams);
   return scene;
 }
 
-Scene2 read_scene_noting_2(const std::string& file, const PolygonOptions& options, const Streams& streams) {
+ValidScene2 read_scene_noting_2(const std::string& file, const PolygonOptions& options, const Streams& streams) {
   options.require_sense_for(file);
   if (file == kStandardInput) {
-    Scene scene = read_scene_noting(file, options, streams);
-    if (!std::holds_alternative<Scene2>(scene))
+    ValidScene scene = read_scene_noting(file, options, streams);
+    if (!std::holds_alternative<ValidScene2>(scene))
       throw InputError({kStandardInputName, 0}, "the scene is in space (dimension 3); this works in the plane");
-    return std::get<Scene2>(std::move(scene));
+    return std::get<ValidScene2>(std::move(scene));
   }
   PassedOver passed_over;
-  Scene2 scene = read_scene_2(file, &passed_over, options.side());
+  ValidScene2 scene = read_scene_2(file, &passed_over, options.side());
   note_passed_over(passed_over, streams);
   return scene;
 }
@@ -123,6 +132,11 @@ void ElementOptions::add_to(CLI::App& command) {
 
 namespace {
 
+const Scene2& plain(const Scene2& scene) { return scene; }
+const Scene3& plain(const Scene3& scene) { return scene; }
+const Scene2& plain(const ValidScene2& scene) { return *scene; }
+const Scene3& plain(const ValidScene3& scene) { return *scene; }
+
 template <class AnyScene>
 void divide(AnyScene& scene, const ElementOptions& options) {
   if (options.count) divide_into(scene, *options.count);
@@ -131,13 +145,15 @@ void divide(AnyScene& scene, const ElementOptions& options) {
   if (!h || *h <= 0) throw UsageError("--element-size must be a positive number, not '" + *options.size + "'");
   if (const auto surface = divide_by_length(scene, *h, kMaxElements))
     throw UsageError("--element-size " + *options.size + " asks for more than " + std::to_string(kMaxElements) +
-                     " elements on '" + scene.surfaces[*surface].name + "'");
+                     " elements on '" + plain(scene).surfaces[*surface].name + "'");
 }
 
 }  // namespace
 
 void ElementOptions::apply_to(Scene2& scene) const { divide(scene, *this); }
 void ElementOptions::apply_to(Scene3& scene) const { divide(scene, *this); }
+void ElementOptions::apply_to(ValidScene2& scene) const { divide(scene, *this); }
+void ElementOptions::apply_to(ValidScene3& scene) const { divide(scene, *this); }
 
 std::filesystem::path output_folder(const std::string& option, const std::string& scene) {
   if (option == "-") throw UsageError("results are several files: -o takes a folder, not standard output");

@@ -12,6 +12,7 @@
 #include "cli/streams.h"
 #include "geometry/plane/scene/scene.h"
 #include "geometry/space/scene/triangulator.h"
+#include "io/scene/passed_over.h"
 #include "io/scene/plane/map_defaults.h"
 #include "io/scene/scene_json.h"
 #include "io/scene/space/vs3_reader.h"
@@ -43,12 +44,12 @@ inline constexpr const char* kStandardInputName = "standard input";
 // read otherwise than View3D does, what was passed over in a map or a mesh, and which polygons were cut into triangles.
 // Throws UsageError where a scene in the plane is to have them cut, and for --front outside of what is no map. Those
 // who obey what a deck asks of the output take that; else it is told that they do not.
-Scene read_scene_noting(const std::string& file, const PolygonOptions& options, const Streams& streams,
-                        DeckOutput3* output = nullptr);
+ValidScene read_scene_noting(const std::string& file, const PolygonOptions& options, const Streams& streams,
+                             DeckOutput3* output = nullptr);
 // The same for those who can use a scene in space only.
-Scene3 read_scene_noting_3(const std::string& file, const PolygonOptions& options, const Streams& streams);
+ValidScene3 read_scene_noting_3(const std::string& file, const PolygonOptions& options, const Streams& streams);
 // The same for those who can use a scene in the plane only.
-Scene2 read_scene_noting_2(const std::string& file, const PolygonOptions& options, const Streams& streams);
+ValidScene2 read_scene_noting_2(const std::string& file, const PolygonOptions& options, const Streams& streams);
 // Tells what was passed over, if anything was.
 void note_passed_over(const PassedOver& passed_over, const Streams& streams);
 // Tells which polygons were cut, if any were.
@@ -67,6 +68,8 @@ struct ElementOptions {
   void apply_to(Scene2& scene) const;  // throws UsageError for a size that is no positive number
   // In space a number n divides a quad into n x n elements, and a size is that of the parts of the longest side.
   void apply_to(Scene3& scene) const;
+  void apply_to(ValidScene2& scene) const;
+  void apply_to(ValidScene3& scene) const;
 };
 
 // The folder of an option -o: `option`, or ./STEM-hottel for a scene STEM.json, wherever that scene lies

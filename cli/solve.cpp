@@ -121,14 +121,14 @@ struct FacesPicture {
 };
 
 // The scene as it is asked for, on its own grids or on one over its surfaces, ready to be simulated.
-Simulation2 simulation_of(const SolveOptions& options, Scene2 scene, Request request) {
+Simulation2 simulation_of(const SolveOptions& options, ValidScene2 scene, Request request) {
   options.elements.apply_to(scene);
-  require_room_for_solving(scene, options.memory, options.levels, options.sums.is_given());
-  request.simulation.lights = light_test_of(options, scene);
-  scene.grids = grids_of(scene, options.grid);
+  require_room_for_solving(*scene, options.memory, options.levels, options.sums.is_given());
+  request.simulation.lights = light_test_of(options, *scene);
+  scene.set_grids(grids_of(*scene, options.grid));
   if (request.simulation.wants_light)
-    for (const Grid2& grid : scene.grids)
-      require_room_for_light(options, cells_text(grid), grid.cells(), channel_count(scene), "take a coarser --grid",
+    for (const Grid2& grid : scene->grids)
+      require_room_for_light(options, cells_text(grid), grid.cells(), channel_count(*scene), "take a coarser --grid",
                              request.directory);
   request.simulation.method = request.on_disk;
   if (!request.on_disk) request.simulation.method = all_methods_2().make(options.method);
@@ -136,13 +136,13 @@ Simulation2 simulation_of(const SolveOptions& options, Scene2 scene, Request req
   return Simulation2(std::move(scene), std::move(request.simulation));
 }
 
-void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& request, double seconds_to_read,
+void solve_in_plane(const SolveOptions& options, ValidScene2 scene, const Request& request, double seconds_to_read,
                     Streams& streams) {
   if (options.tolerance)
     throw UsageError("--tolerance is for scenes in space: in the plane every factor is correctly rounded");
   options.guarantee.refuse_in_plane();
   options.sky.refuse_in_plane();
-  require_shown(request.shown, scene);
+  require_shown(request.shown, *scene);
   if (options.outlines || options.no_outlines)
     throw UsageError("--outlines and --no-outlines are for scenes in space: in the plane walls are lines");
   if (!request.shown.is_light() && options.contours > 0)
@@ -155,7 +155,7 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
     throw UsageError("--shading in the plane is for the values of --show: light between the faces has no elements");
   if (!request.shown.is_light() && options.size > 0 && options.size < kMinPictureWidth)
     throw UsageError(fmt::format("--size of --show {} is {} at least", options.show, kMinPictureWidth));
-  const bool has_own_grids = !scene.grids.empty();
+  const bool has_own_grids = !scene->grids.empty();
   Stopwatch watch;
   const Simulation2 simulation =
       refined(simulation_of(options, std::move(scene), request), options.levels.levels(), streams.stages());
@@ -222,14 +222,14 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
 ExitCode solve(const SolveOptions& options, Streams& streams) {
   const Request request = request_of(options);
   Stopwatch watch;
-  Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  ValidScene scene = read_scene_noting(options.scene, options.polygons, streams);
   const double seconds_to_read = watch.lap();
   require_light_in_watts(scene);
   note_unknown_unit(scene, streams);
-  if (auto* space = std::get_if<Scene3>(&scene))
+  if (auto* space = std::get_if<ValidScene3>(&scene))
     solve_in_space(options, std::move(*space), seconds_to_read, streams);
   else
-    solve_in_plane(options, std::move(std::get<Scene2>(scene)), request, seconds_to_read, streams);
+    solve_in_plane(options, std::move(std::get<ValidScene2>(scene)), request, seconds_to_read, streams);
   return ExitCode::kDone;
 }
 

@@ -298,19 +298,19 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene, 
 
 }  // namespace
 
-void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to_read, Streams& streams) {
+void solve_in_space(const SolveOptions& options, ValidScene3 scene, double seconds_to_read, Streams& streams) {
   require_what_space_has(options);
-  require_grid(options, scene);
+  require_grid(options, *scene);
   const Shown shown = shown_of(options);
   if (options.shading == "gathered" || !options.texels.empty()) require_gathered_3(shown);
   const bool wants_picture = !options.no_picture && (!options.no_illumination || !shown.is_light());
-  require_shown(shown, scene);
-  const std::optional<TexelChoice> texel_choice = texels_of(options, scene);
+  require_shown(shown, *scene);
+  const std::optional<TexelChoice> texel_choice = texels_of(options, *scene);
   options.elements.apply_to(scene);
   options.sums.refuse_in_space();
-  require_room_for_solving(scene, options.memory, options.levels);
-  const std::vector<Grid3> grids = options.no_illumination ? std::vector<Grid3>() : grids_of(scene, options.grid);
-  const SimulationRequest3 request = request_of(options, scene, grids, texel_choice ? texel_choice->grid.cells() : 0);
+  require_room_for_solving(*scene, options.memory, options.levels);
+  const std::vector<Grid3> grids = options.no_illumination ? std::vector<Grid3>() : grids_of(*scene, options.grid);
+  const SimulationRequest3 request = request_of(options, *scene, grids, texel_choice ? texel_choice->grid.cells() : 0);
   const Simulation3 simulation =
       refined(Simulation3(std::move(scene), request), options.levels.levels(), streams.stages());
   auto plan = std::make_shared<const Plan>(plan_at_speed(*simulation.plan(), machine_speed()));

@@ -9,6 +9,6 @@ namespace hottel {
 
 // Computes and writes the radiosities of a scene in space. Throws UsageError for options that are of the plane so far.
 // seconds_to_read: what the scene took, for the report.
-void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to_read, Streams& streams);
+void solve_in_space(const SolveOptions& options, ValidScene3 scene, double seconds_to_read, Streams& streams);
 
 }  // namespace hottel

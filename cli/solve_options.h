@@ -16,7 +16,6 @@
 #include "cli/sums_option.h"
 #include "io/files/output_file.h"
 #include "io/results/solve_report.h"
-#include "solver/radiosity/light_test.h"
 #include "solver/radiosity/radiosity_options.h"
 #include "viewer/picture/shown_values.h"
 

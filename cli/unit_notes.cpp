@@ -14,12 +14,24 @@ std::vector<std::string> joined(std::optional<std::string> first, std::vector<st
   return notes;
 }
 
+std::optional<std::string> unknown_unit_note(const Scene2& scene) { return unknown_unit_note_2(scene); }
+std::optional<std::string> unknown_unit_note(const Scene3& scene) { return unknown_unit_note_3(scene); }
+
+void note(const std::optional<std::string>& text, const Streams& streams) {
+  if (text) streams.note("note: " + *text);
+}
+
+void require_light_in_watts(const SceneTable& table) {
+  with_file_context(table.file, [&] { require_told_lamps(table); });
+}
+
 }  // namespace
 
 void note_unknown_unit(const Scene& scene, const Streams& streams) {
-  const auto* const plane = std::get_if<Scene2>(&scene);
-  const auto note = plane != nullptr ? unknown_unit_note_2(*plane) : unknown_unit_note_3(std::get<Scene3>(scene));
-  if (note) streams.note("note: " + *note);
+  note(std::visit([](const auto& each) { return unknown_unit_note(each); }, scene), streams);
+}
+void note_unknown_unit(const ValidScene& scene, const Streams& streams) {
+  note(std::visit([](const auto& each) { return unknown_unit_note(*each); }, scene), streams);
 }
 
 std::vector<std::string> with_unit_note(const Scene2& scene, std::vector<std::string> notes) {
@@ -31,7 +43,10 @@ std::vector<std::string> with_unit_note(const Scene3& scene, std::vector<std::st
 }
 
 void require_light_in_watts(const Scene& scene) {
-  std::visit([](const SceneTable& table) { with_file_context(table.file, [&] { require_told_lamps(table); }); }, scene);
+  std::visit([](const SceneTable& table) { require_light_in_watts(table); }, scene);
+}
+void require_light_in_watts(const ValidScene& scene) {
+  std::visit([](const auto& each) { require_light_in_watts(static_cast<const SceneTable&>(*each)); }, scene);
 }
 
 }  // namespace hottel

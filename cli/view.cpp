@@ -70,13 +70,13 @@ void require_view_mode(const std::string& look, int count) {
 // The viewer of the scene, whatever its dimension. Its file is read, and may be read again.
 std::unique_ptr<Viewer> viewer_of(const ViewOptions& options, Window& window, const Streams& streams) {
   std::unique_ptr<Viewer> viewer;
-  Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams));
   if (Scene3* const space = std::get_if<Scene3>(&scene)) {
     require_view_mode<ViewMode3>(options.look, kViewModes3);
     // The scene that has been read is the first one.
     const auto first = std::make_shared<std::optional<Scene3>>(std::move(*space));
     const auto read = [file = options.scene, elements = options.elements, first] {
-      Scene3 now = *first ? std::move(**first) : read_scene_3(file);
+      Scene3 now = *first ? std::move(**first) : Scene3(read_scene_3(file));
       first->reset();
       elements.apply_to(now);
       return now;

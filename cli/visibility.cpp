@@ -234,7 +234,7 @@ ExitCode light_at_points(const VisibilityOptions& options, OrientedPointsInput i
     if (is_given) throw UsageError(std::string(option) + " is for polygons; points with normals have none");
   if (options.guarantee.asked)
     throw UsageError("--guarantee is for what points see; the light at points with normals has no proven bounds");
-  write_oriented_light(input, read_scene_noting(options.scene, options.polygons, streams), streams);
+  write_oriented_light(input, changeable(read_scene_noting(options.scene, options.polygons, streams)), streams);
   return ExitCode::kDone;
 }
 
@@ -246,7 +246,7 @@ ExitCode faces_at_points(const VisibilityOptions& options, const std::string& te
                                          {options.irradiance, "--irradiance"},
                                          {options.side != VisibilityOptions().side, "--side"}})
     if (is_given) throw UsageError(std::string(option) + " is for points in the plane; these have three coordinates");
-  const Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  const Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams));
   const auto* const space = std::get_if<Scene3>(&scene);
   if (space == nullptr)
     throw InputError({name, 0}, "points have three coordinates, and " + options.scene + " is in the plane");
@@ -282,7 +282,7 @@ ExitCode from_points(const VisibilityOptions& options, Streams& streams) {
 ExitCode from_edge(const VisibilityOptions& options, Streams& streams) {
   if (is_file(options.out)) throw UsageError("--edge writes to standard output, not to '" + options.out + "'");
   if (options.edge == "sky") throw UsageError("--edge is a face, which the sky is not");
-  Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams));
   if (std::holds_alternative<Scene3>(scene))
     throw UsageError("--edge is for scenes in the plane; in space --face NAME tells what some point of a face sees");
   const auto prepared = simulation_of(std::get<Scene2>(std::move(scene))).prepared(streams.stages());
@@ -296,7 +296,7 @@ ExitCode from_edge(const VisibilityOptions& options, Streams& streams) {
 
 ExitCode from_face_in_space(const VisibilityOptions& options, Streams& streams) {
   if (is_file(options.out)) throw UsageError("--face writes to standard output, not to '" + options.out + "'");
-  Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams));
   if (std::holds_alternative<Scene2>(scene))
     throw UsageError("--face is for scenes in space; in the plane --edge NAME tells what some point of an edge sees");
   write_face_sight(options.face, options.json, Simulation3(std::get<Scene3>(std::move(scene))), streams);
@@ -308,7 +308,7 @@ SceneLines scene_lines(const VisibilityOptions& options) {
 }
 
 ExitCode events(const VisibilityOptions& options, Streams& streams) {
-  Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams));
   if (Scene3* const there = std::get_if<Scene3>(&scene)) {
     const EventRequest3 request{options.scene, options.from, options.to, options.out, options.json, options.exact};
     require_sense(request);
@@ -325,7 +325,7 @@ ExitCode events(const VisibilityOptions& options, Streams& streams) {
 ExitCode graph(const VisibilityOptions& options, Streams& streams) {
   const SceneLines lines = scene_lines(options);
   require_sense(lines, "the visibility graph is");
-  Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams));
   if (Scene3* const there = std::get_if<Scene3>(&scene))
     write_graph_3(lines, Simulation3(std::move(*there)), streams);
   else
@@ -401,7 +401,7 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
   const bool is_drawn = is_file(options.out);
   const auto format = is_drawn ? picture_format(options.out) : std::nullopt;
   if (is_drawn && !format) throw UsageError("a drawing is written as .png, .svg or .pdf, not '" + options.out + "'");
-  Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams));
   if (options.is_pair()) note_unknown_unit(scene, streams);
   if (Scene3* const there = std::get_if<Scene3>(&scene)) return in_space(options, std::move(*there), format, streams);
   options.guarantee.refuse_in_plane();

@@ -11,6 +11,7 @@
 #include "cli/streams.h"
 #include "geometry/space/scene/scene.h"
 #include "io/files/output_file.h"
+#include "solver/space/light/illumination_grid.h"
 #include "solver/space/simulation/simulation.h"
 #include "viewer/picture/shown_values.h"
 

@@ -14,7 +14,8 @@ install(TARGETS ${layer_targets} hottel_library EXPORT hottel-targets
         ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library)
 install(TARGETS hottel RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT program)
 
-# Of the headers only hottel.h and what it includes. Which these are is found when they are installed.
+# Of the headers only hottel.h, those beside it, and what these include. Which these are is found when they are
+# installed.
 install(CODE "
   set(hottel_root [[${PROJECT_SOURCE_DIR}]])
   set(hottel_include [[${CMAKE_INSTALL_INCLUDEDIR}/hottel]])" COMPONENT library)

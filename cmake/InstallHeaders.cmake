@@ -1,8 +1,9 @@
-# Installs hottel.h and the headers of the project that it includes, directly or not: those are public, and no others.
+# Installs the headers that stand beside hottel.h, it among them, and those of the project that they include, directly
+# or not: these are public, and no others.
 # hottel_root: where the sources are. hottel_include: where headers go, from the prefix or absolute.
 cmake_policy(VERSION 3.25)
 
-# Sets `result` to the headers that are reached from `first`, which is one of them, as paths from the root.
+# Sets `result` to the headers that are reached from `first`, a list of some of them, as paths from the root.
 function(hottel_headers_reached_from first result)
   set(waiting "${first}")
   set(reached "${first}")
@@ -21,7 +22,8 @@ function(hottel_headers_reached_from first result)
 endfunction()
 
 cmake_path(ABSOLUTE_PATH hottel_include BASE_DIRECTORY "${CMAKE_INSTALL_PREFIX}")
-hottel_headers_reached_from(hottel.h headers)
+file(GLOB first RELATIVE "${hottel_root}" "${hottel_root}/hottel*.h")
+hottel_headers_reached_from("${first}" headers)
 foreach(header IN LISTS headers)
   cmake_path(GET header PARENT_PATH folder)
   file(INSTALL DESTINATION "${hottel_include}/${folder}" TYPE FILE FILES "${hottel_root}/${header}")

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/element_tree.h"
+#include "geometry/element.h"
 #include "geometry/face.h"
 #include "geometry/light.h"
 #include "geometry/material.h"

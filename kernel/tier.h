@@ -1,4 +1,5 @@
-// The steps of the rounding ladder (rounding.h), and how often each was the last.
+// The steps by which numbers are rounded (rounding.h) and signs are decided (determinant.h), and how often each was the
+// last.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +22,23 @@ struct TierCounts {
     return *this;
   }
   friend bool operator==(const TierCounts&, const TierCounts&) = default;
+};
+
+// Which step settled a sign.
+//   kFilter:        doubles with their error bound
+//   kCombinatorial: zero by identity: a corner lies on the planes that it is made of
+//   kExact:         integers
+enum class SignTier : unsigned char { kFilter, kCombinatorial, kExact };
+
+// How many signs each tier settled, for reports and for tests that ask which one decided.
+struct SignCounts {
+  std::uint64_t by_tier[3] = {0, 0, 0};
+  void count(SignTier tier) { ++by_tier[static_cast<int>(tier)]; }
+  SignCounts& operator+=(const SignCounts& other) {
+    for (int k = 0; k < 3; ++k) by_tier[k] += other.by_tier[k];
+    return *this;
+  }
+  friend bool operator==(const SignCounts&, const SignCounts&) = default;
 };
 
 }  // namespace hottel

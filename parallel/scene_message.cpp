@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/element_tree.h"
+#include "geometry/element.h"
 #include "io/scene/binary_scene.h"
 
 namespace hottel {
@@ -53,7 +53,7 @@ void put_scene(Scene3 scene, MessageWriter& writer) {
 }
 
 Scene take_scene(MessageReader& reader) {
-  Scene scene = parse_binary_scene(reader.take_text(), "the scene of rank 0");
+  Scene scene = changeable(parse_binary_scene(reader.take_text(), "the scene of rank 0"));
   SceneTable& table = std::visit([](auto& its) -> SceneTable& { return its; }, scene);
   for (auto left = reader.take<std::uint64_t>(); left > 0; --left) {
     SurfaceTrees& trees = table.surfaces.at(reader.take<std::uint32_t>()).trees;

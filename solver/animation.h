@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/element_tree.h"
+#include "geometry/element.h"
 #include "geometry/exchange_matrix.h"
 #include "kernel/rational.h"
 #include "kernel/support/failure.h"
@@ -107,7 +107,7 @@ class Animation {
   // after the last of at(). COST: that of the trees and of a table of elements; no factor is computed.
   void follow(const Rational& time, const StageProgress& progress = {}) {
     const Simulation moved = still_.with_scene(scene_after(still_.scene(), time));
-    const Simulation divided = still_.with_scene(with_trees(still_.scene(), trees_of(moved, progress)));
+    const Simulation divided = still_.with_trees(trees_of(moved, progress));
     const ExchangeMatrix empty(divided.prepared(progress)->elements(Granularity::kElement)->elements(),
                                Guarantee::kEstimated);
     active_ = active_elements(empty);
@@ -151,7 +151,7 @@ class Animation {
   }
 
   void make_known(std::vector<SurfaceTrees> trees, FrameCounts& counts, const StageProgress& progress) {
-    Known known{trees, {}, still_.with_scene(with_trees(still_.scene(), trees)), std::make_shared<Kept>(), 0};
+    Known known{trees, {}, still_.with_trees(trees), std::make_shared<Kept>(), 0};
     const StoreUse before = store_ ? store_->use() : StoreUse();
     const auto factors = known.simulation.factors(progress);
     known.simulation.system(progress);

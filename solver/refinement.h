@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "geometry/element_tree.h"
+#include "geometry/element.h"
 #include "geometry/scene_table.h"
 
 namespace hottel {

@@ -18,6 +18,7 @@
 
 #include "io/scene/scene_json.h"
 #include "solver/plane/simulation/simulation.h"
+#include "solver/radiosity/direct_light.h"
 #include "solver/space/methods/method_catalogue.h"
 #include "solver/space/simulation/simulation.h"
 
@@ -133,7 +134,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    hottel::print_table(hottel::read_scene(argv[1]), static_cast<std::uint32_t>(std::atoi(argv[2])));
+    hottel::print_table(hottel::changeable(hottel::read_scene(argv[1])),
+                        static_cast<std::uint32_t>(std::atoi(argv[2])));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

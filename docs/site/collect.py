@@ -15,7 +15,7 @@ LINK = re.compile(r"(?<!!)\[([^\]]+)\]\(([^)#\s]+)(#[^)\s]*)?\)")
 IMAGE = re.compile(r"!\[[^\]]*\]\(([^)\s]+)\)")
 REFERENCE = """# C++ reference
 
-[The headers that `hottel.h` has](library/files.html), each with its contract, and [all classes](library/annotated.html).
+[The headers that are installed](library/files.html), each with its contract, and [all classes](library/annotated.html).
 What to begin with: [the library](docs/library.md).
 """
 MENU_ITEM = re.compile(r"^- .*?\[([^\]]+)\]\(([^)#]+)\)")

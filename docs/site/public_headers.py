@@ -1,4 +1,4 @@
-"""Prints the headers that hottel.h has, itself first, on one line."""
+"""Prints the headers of the library on one line: hottel.h, those beside it, and what these include."""
 
 import re
 from pathlib import Path
@@ -6,8 +6,8 @@ from pathlib import Path
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 
 
-def headers_of(first: str) -> list[str]:
-    found, waiting = [], [first]
+def headers_of(first: list[str]) -> list[str]:
+    found, waiting = [], list(first)
     while waiting:
         header = waiting.pop(0)
         if header in found:
@@ -18,4 +18,4 @@ def headers_of(first: str) -> list[str]:
 
 
 if __name__ == "__main__":
-    print(" ".join(headers_of("hottel.h")))
+    print(" ".join(headers_of(sorted(path.name for path in Path().glob("hottel*.h")))))

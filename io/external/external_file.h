@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "solver/compare/written_factors.h"
+#include "solver/compare/method_report.h"
 
 namespace hottel {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "io/external/facts_beside.h"
-#include "solver/compare/written_factors.h"
+#include "solver/compare/method_report.h"
 
 namespace hottel {
 

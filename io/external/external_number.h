@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "solver/compare/written_factors.h"
+#include "solver/compare/method_report.h"
 
 namespace hottel {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
+#include "solver/compare/method_report.h"
 #include "solver/compare/method_result.h"
-#include "solver/compare/written_factors.h"
 #include "solver/radiosity/radiosity.h"
 
 namespace hottel {

@@ -13,12 +13,6 @@ namespace hottel {
 // The largest text that is read: line numbers and offsets stay within 31 bits.
 inline constexpr std::size_t kMaxTextFileBytes = 0x7fffffff;
 
-// There is no such file.
-class MissingFile : public InputError {
- public:
-  using InputError::InputError;
-};
-
 // Returns the bytes of a file. Throws MissingFile when there is none, InputError naming the file when it is a
 // directory, not readable, or larger than kMaxTextFileBytes.
 std::string read_text_file(const std::filesystem::path& file);

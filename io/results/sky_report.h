@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "geometry/sky_by_closure.h"
+#include "geometry/exchange_report.h"
 
 namespace hottel {
 

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "geometry/exchange_report.h"
-#include "geometry/sky_by_closure.h"
 #include "io/results/planned_lists.h"
 #include "io/results/planned_on_disk.h"
 #include "io/results/radiosity_files.h"

@@ -326,11 +326,10 @@ std::string written(const AnyScene& scene, std::uint32_t dimension) {
 }
 
 template <class AnyScene>
-Scene read_as(SceneReader& reader) {
+AnyScene read_as(SceneReader& reader) {
   AnyScene scene;
   reader(scene);
   if (!reader.is_at_end() || scene.light_places.size() != scene.lights.size()) reader.refuse();
-  validate(scene);
   return scene;
 }
 
@@ -339,7 +338,7 @@ Scene read_as(SceneReader& reader) {
 std::string binary_scene(const Scene2& scene) { return written(scene, 2); }
 std::string binary_scene(const Scene3& scene) { return written(scene, 3); }
 
-Scene parse_binary_scene(std::string_view bytes, const std::string& name) {
+ValidScene parse_binary_scene(std::string_view bytes, const std::string& name) {
   if (!is_binary_scene(bytes)) throw InputError({name, 0}, "is no binary scene");
   if (bytes.size() <= kHead) throw InputError({name, 0}, "is a binary scene that breaks off");
   const std::uint32_t layout = number_at(bytes, kMagic.size());
@@ -354,8 +353,8 @@ Scene parse_binary_scene(std::string_view bytes, const std::string& name) {
   SceneReader reader(body, name);
   std::uint32_t dimension = 0;
   reader(dimension);
-  if (dimension == 2) return read_as<Scene2>(reader);
-  if (dimension == 3) return read_as<Scene3>(reader);
+  if (dimension == 2) return ValidScene2(read_as<Scene2>(reader));
+  if (dimension == 3) return ValidScene3(read_as<Scene3>(reader));
   reader.refuse();
 }
 

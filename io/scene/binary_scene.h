@@ -24,6 +24,6 @@ std::string binary_scene(const Scene3& scene);
 
 // Reads it. Throws InputError, naming `name`, for what begins otherwise, has another layout, breaks off, or is damaged.
 // COST: linear; 10^6 edges take a second.
-Scene parse_binary_scene(std::string_view bytes, const std::string& name);
+ValidScene parse_binary_scene(std::string_view bytes, const std::string& name);
 
 }  // namespace hottel

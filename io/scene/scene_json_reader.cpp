@@ -2,6 +2,7 @@
 #include <array>
 #include <cctype>
 #include <optional>
+#include <utility>
 
 #include "geometry/name.h"
 #include "io/scene/binary_scene.h"
@@ -46,8 +47,8 @@ JsonValue version(const JsonValue& root, std::string_view key, std::initializer_
 }
 
 // Returns the scene of a text. Refuses one of another dimension than `wanted`, if there is one.
-Scene parse(std::string_view text, const std::string& name, const TextSource& files, std::optional<int> wanted,
-            Triangulator3* triangulator = nullptr, PassedOver* passed_over = nullptr) {
+ValidScene parse(std::string_view text, const std::string& name, const TextSource& files, std::optional<int> wanted,
+                 Triangulator3* triangulator = nullptr, PassedOver* passed_over = nullptr) {
   const JsonDocument document(text, name);
   const JsonValue root = document.root();
   require_kind(root, JsonKind::kObject, {"the scene"});
@@ -76,20 +77,20 @@ void require_space(const Reading& reading, const std::string& name) {
   if (reading.wanted == 2) throw InputError({name, 0}, kInThePlaneOnly, {kDoneInSpace});
 }
 
-void require_wanted(const Scene& scene, const Reading& reading, const std::string& name) {
-  std::holds_alternative<Scene2>(scene) ? require_plane(reading, name) : require_space(reading, name);
+void require_wanted(const ValidScene& scene, const Reading& reading, const std::string& name) {
+  std::holds_alternative<ValidScene2>(scene) ? require_plane(reading, name) : require_space(reading, name);
 }
 
 // Of a text with numbers that are read, or of bytes with those that were.
-Scene read_scene_file(std::string_view text, const std::string& name, const Reading& reading) {
+ValidScene read_scene_file(std::string_view text, const std::string& name, const Reading& reading) {
   if (!is_binary_scene(text))
     return parse(text, name, read_text_file, reading.wanted, reading.triangulator, reading.passed_over);
-  Scene scene = parse_binary_scene(text, name);
+  ValidScene scene = parse_binary_scene(text, name);
   require_wanted(scene, reading, name);
   return scene;
 }
 
-Scene read(const std::filesystem::path& file, const Reading& reading) {
+ValidScene read(const std::filesystem::path& file, const Reading& reading) {
   const std::string name = file.string();
   if (is_map_2(file) || is_svg_2(file)) {
     require_plane(reading, name);
@@ -138,17 +139,22 @@ bool is_geojson(std::string_view text, const std::string& name) {
 
 }  // namespace
 
-Scene parse_scene(std::string_view text, const std::string& name_for_messages, const TextSource& files) {
+Scene changeable(ValidScene scene) {
+  if (auto* const plane = std::get_if<ValidScene2>(&scene)) return Scene2(std::move(*plane));
+  return Scene3(std::get<ValidScene3>(std::move(scene)));
+}
+
+ValidScene parse_scene(std::string_view text, const std::string& name_for_messages, const TextSource& files) {
   return parse(text, name_for_messages, files, std::nullopt);
 }
 
-Scene read_scene(const std::filesystem::path& file, Triangulator3* triangulator, PassedOver* passed_over,
-                 MapSide2 side) {
+ValidScene read_scene(const std::filesystem::path& file, Triangulator3* triangulator, PassedOver* passed_over,
+                      MapSide2 side) {
   return read(file, {std::nullopt, triangulator, passed_over, side});
 }
 
-Scene parse_any_scene(std::string_view text, const std::string& name_for_messages, Triangulator3* triangulator,
-                      PassedOver* passed_over, MapSide2 side) {
+ValidScene parse_any_scene(std::string_view text, const std::string& name_for_messages, Triangulator3* triangulator,
+                           PassedOver* passed_over, MapSide2 side) {
   if (is_binary_scene(text)) return parse_binary_scene(text, name_for_messages);
   const std::string_view start = text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   if (start.starts_with('<')) return parse_svg_2(text, name_for_messages, passed_over);
@@ -160,20 +166,20 @@ Scene parse_any_scene(std::string_view text, const std::string& name_for_message
   return parse(text, name_for_messages, read_text_file, std::nullopt, triangulator, passed_over);
 }
 
-Scene2 read_scene_2(const std::filesystem::path& file, PassedOver* passed_over, MapSide2 side) {
-  return std::get<Scene2>(read(file, {2, nullptr, passed_over, side}));
+ValidScene2 read_scene_2(const std::filesystem::path& file, PassedOver* passed_over, MapSide2 side) {
+  return std::get<ValidScene2>(read(file, {2, nullptr, passed_over, side}));
 }
 
-Scene2 parse_scene_2(std::string_view text, const std::string& name_for_messages) {
-  return std::get<Scene2>(parse(text, name_for_messages, read_text_file, 2));
+ValidScene2 parse_scene_2(std::string_view text, const std::string& name_for_messages) {
+  return std::get<ValidScene2>(parse(text, name_for_messages, read_text_file, 2));
 }
 
-Scene3 read_scene_3(const std::filesystem::path& file, Triangulator3* triangulator, PassedOver* passed_over) {
-  return std::get<Scene3>(read(file, {3, triangulator, passed_over}));
+ValidScene3 read_scene_3(const std::filesystem::path& file, Triangulator3* triangulator, PassedOver* passed_over) {
+  return std::get<ValidScene3>(read(file, {3, triangulator, passed_over}));
 }
 
-Scene3 parse_scene_3(std::string_view text, const std::string& name_for_messages, const TextSource& files) {
-  return std::get<Scene3>(parse(text, name_for_messages, files, 3));
+ValidScene3 parse_scene_3(std::string_view text, const std::string& name_for_messages, const TextSource& files) {
+  return std::get<ValidScene3>(parse(text, name_for_messages, files, 3));
 }
 
 }  // namespace hottel

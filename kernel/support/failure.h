@@ -51,6 +51,12 @@ class InputError : public std::runtime_error {
   std::vector<std::string> hints_;
 };
 
+// There is no such file.
+class MissingFile : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 // The input is fine, but what was asked of it cannot be had: too little memory, or a solution that does not exist.
 // what() is one line for the user.
 class RequestError : public std::runtime_error {

@@ -1,11 +1,18 @@
-// Requests to stop, to all work from a signal handler, or to one piece of work from who started it.
+// How far work has come, and requests to stop: to all work from a signal handler, or to one piece of work from who
+// started it.
 #pragma once
 
 #include <atomic>
 #include <exception>
+#include <functional>
+#include <string_view>
 #include <utility>
 
 namespace hottel {
+
+// Called on a waiting thread about every 5 ms: the name of the stage that runs, and the fraction of it that is
+// done. It may throw: this ends the wait, and the exception goes on to the caller of the stage.
+using StageProgress = std::function<void(std::string_view stage, double fraction)>;
 
 // Thrown where work stops because it was asked to. The program then exits with 130; no output has been replaced. It is
 // no std::runtime_error: who catches failures of input or request does not catch it.

@@ -8,15 +8,12 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <string_view>
 #include <thread>
 #include <utility>
 
-namespace hottel {
+#include "kernel/support/interrupt.h"
 
-// Called on a waiting thread about every 5 ms: the name of the stage that runs, and the fraction of it that is
-// done. It may throw: this ends the wait, and the exception goes on to the caller of the stage.
-using StageProgress = std::function<void(std::string_view stage, double fraction)>;
+namespace hottel {
 
 // Progress of one function, passed on as progress of a stage. REQUIRES: the name outlives it.
 inline std::function<void(double)> telling(const char* stage, const StageProgress& progress) {

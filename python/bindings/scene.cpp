@@ -48,14 +48,16 @@ std::string PythonScene::text() const {
   return key();
 }
 
-PythonScene scene_of_text(const std::string& text) { return PythonScene(parse_scene(text, std::string(kNoFile))); }
+PythonScene scene_of_text(const std::string& text) {
+  return PythonScene(changeable(parse_scene(text, std::string(kNoFile))));
+}
 
 // Files that it names are found in the folder.
 PythonScene scene_of(const py::dict& table, const std::filesystem::path& folder, bool is_binary) {
   const std::string text = scene_text(table, is_binary);
   const py::gil_scoped_release released;
   if (folder.empty()) return scene_of_text(text);
-  return PythonScene(parse_scene(text, (folder / kNoFile).string()));
+  return PythonScene(changeable(parse_scene(text, (folder / kNoFile).string())));
 }
 
 }  // namespace hottel::python

@@ -31,9 +31,9 @@ NotedScene read_noting(const std::filesystem::path& file, bool triangulates, Map
   Triangulator3* const used = triangulates ? &triangulator : nullptr;
   if (is_vs3(file)) {
     Vs3Scene3 deck = read_vs3_3(file, used);
-    noted = {std::move(deck.scene), std::move(deck.notes)};
+    noted = {Scene3(std::move(deck.scene)), std::move(deck.notes)};
   } else {
-    noted.scene = read_scene(file, used, &passed_over, side);
+    noted.scene = changeable(read_scene(file, used, &passed_over, side));
   }
   for (const std::string& note : {passed_over.note(), triangulator.note()})
     if (!note.empty()) noted.notes.push_back(note);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/compare/written_factors.h"
+#include "solver/compare/method_report.h"
 
 namespace hottel {
 

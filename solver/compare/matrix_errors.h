@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
-#include "solver/compare/written_factors.h"
+#include "solver/compare/method_report.h"
 
 namespace hottel {
 

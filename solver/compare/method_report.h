@@ -1,13 +1,16 @@
-// What methods of computing view factors say of themselves and of a run.
+// What methods of computing view factors say of themselves and of a run, and what is known of numbers that were read
+// from a file: how finely they were written, and which were there.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/exchange_report.h"
 #include "kernel/enclosure.h"
-#include "solver/compare/written_factors.h"
 
 namespace hottel {
 
@@ -18,6 +21,44 @@ struct MethodInfo {
   double parameter = 0;  // points, pixels, rays; 0 when there is none
   Guarantee guarantee = Guarantee::kEstimated;
   std::string reference;  // who described it, and where
+};
+
+// How many digits a file spends on its numbers. A number that was printed stands for an interval: half a unit of the
+// last place to each side. Shortest decimals drop zeros at the end, so the digits are those of the file as a whole, not
+// of one number; and since "%.6f" keeps decimals and "%.6g" significant digits, the coarser of the two counts.
+//
+//   (1) a number correctly rounded to the file's digits differs from what was meant by no more than rounding(value)
+struct WrittenDigits {
+  int decimals = 0;     // the most places after the point
+  int significant = 0;  // the most significant digits; 0: nothing was printed, rounding(v) is relative * |v|
+  double relative = 0;  // of a binary format: 2^-24 for single, 2^-53 for double precision
+
+  // Returns how far a number that prints as `value` may be from it: half a unit of the last place written. Fewer than
+  // three places or digits are taken for three. [unit of the value]
+  double rounding(double value) const {
+    if (significant == 0) return relative * std::abs(value);
+    constexpr int kFewest = 3;  // nobody prints fewer; "0.5" alone does not mean 0.45 to 0.55
+    double unit = std::pow(10.0, -std::max(decimals, kFewest));
+    if (value != 0)
+      unit =
+          std::max(unit, std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - std::max(significant, kFewest)));
+    return 0.5 * unit;
+  }
+};
+
+// What a file of factors tells besides its numbers, laid out as the elements of a scene.
+struct WrittenFactors {
+  WrittenDigits digits;
+  std::vector<char> has_column;  // by element, the sky last: the file has a place for what goes there; empty: all are
+  std::vector<char> has_row;     // by element: the file has numbers of what leaves it; empty: all are there
+
+  bool has_place(std::uint32_t from, std::uint32_t to) const {
+    return (has_row.empty() || has_row[from]) && (has_column.empty() || has_column[to]);
+  }
+  bool is_whole() const {
+    const auto has_all = [](const std::vector<char>& has) { return std::find(has.begin(), has.end(), 0) == has.end(); };
+    return has_all(has_row) && has_all(has_column);
+  }
 };
 
 // How a matrix came about: what a method tells of one run.

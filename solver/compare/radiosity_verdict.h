@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/compare/written_factors.h"
+#include "solver/compare/method_report.h"
 #include "solver/radiosity/radiosity.h"
 
 namespace hottel {

@@ -9,7 +9,7 @@
 #include "geometry/exchange_matrix.h"
 #include "solver/compare/fault.h"
 #include "solver/compare/judged_pairs.h"
-#include "solver/compare/written_factors.h"
+#include "solver/compare/method_report.h"
 
 namespace hottel {
 

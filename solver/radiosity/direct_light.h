@@ -11,7 +11,7 @@
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/scene_table.h"
-#include "solver/radiosity/light_test.h"
+#include "solver/radiosity/radiosity_options.h"
 #include "solver/radiosity/radiosity_sources.h"
 
 namespace hottel {

@@ -5,16 +5,25 @@
 namespace hottel {
 namespace {
 
-constexpr std::array<const char*, 8> kNames{"auto",     "cholesky", "cg",           "lu",
-                                            "bicgstab", "jacobi",   "gauss-seidel", "shooting"};
+constexpr std::array<const char*, 8> kSolvers{"auto",     "cholesky", "cg",           "lu",
+                                              "bicgstab", "jacobi",   "gauss-seidel", "shooting"};
+constexpr std::array<const char*, 3> kLightTests = {"exact", "centroid", "vertices"};
 
 }  // namespace
 
-const char* to_string(Solver solver) { return kNames[static_cast<std::size_t>(solver)]; }
+const char* to_string(Solver solver) { return kSolvers[static_cast<std::size_t>(solver)]; }
 
 std::optional<Solver> solver_named(std::string_view name) {
-  for (std::size_t k = 0; k < kNames.size(); ++k)
-    if (name == kNames[k]) return static_cast<Solver>(k);
+  for (std::size_t k = 0; k < kSolvers.size(); ++k)
+    if (name == kSolvers[k]) return static_cast<Solver>(k);
+  return std::nullopt;
+}
+
+const char* to_string(LightTest test) { return kLightTests[static_cast<std::size_t>(test)]; }
+
+std::optional<LightTest> light_test(std::string_view word) {
+  for (std::size_t k = 0; k < kLightTests.size(); ++k)
+    if (word == kLightTests[k]) return static_cast<LightTest>(k);
   return std::nullopt;
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "geometry/sky_by_closure.h"
+#include "geometry/exchange_report.h"
 #include "geometry/space/arrangement/arrangement.h"
 #include "geometry/space/arrangement/nothing_between.h"
 #include "geometry/space/exchange/facing.h"

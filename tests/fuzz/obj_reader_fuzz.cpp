@@ -28,6 +28,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;  // a number too long for a scene file
   }
   const hottel::Scene3 again = hottel::parse_scene_3(written, "written.json", library);
-  if (again.polygons != mesh.scene.polygons || again.groups != mesh.scene.groups) std::abort();
+  if (again.polygons != mesh.scene->polygons || again.groups != mesh.scene->groups) std::abort();
   return 0;
 }

@@ -25,7 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // Where nothing is rounded or cut, the polygons are those that were read.
   try {
     const hottel::Vs3Scene3 again = hottel::parse_vs3_3(written.text, "written.vs3");
-    if (again.scene.surfaces.size() < deck.scene.surfaces.size()) std::abort();
+    if (again.scene->surfaces.size() < deck.scene->surfaces.size()) std::abort();
   } catch (const hottel::InputError&) {
     bool is_rounded = false;
     for (const std::string& note : written.notes) is_rounded |= note.find("rounded") != std::string::npos;

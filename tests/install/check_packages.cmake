@@ -38,7 +38,7 @@ endif()
 expect(hottel Depends "libcairo2.*libgmp10.*libsdl2" ${pages} bin/hottel share/doc/hottel/README.md
        share/bash-completion/completions/hottel share/doc/hottel/docs/python.md)
 expect(libhottel-dev Depends "libgmp-dev.*libtbb-dev" lib/libhottel_kernel.a lib/libhottel_viewer.a include/hottel/hottel.h
-       lib/cmake/hottel/hottel-config.cmake)
+       include/hottel/hottel_pictures.h lib/cmake/hottel/hottel-config.cmake)
 expect(python3-hottel Depends "python3 \\(>= 3.*python3-numpy.*libgmp10" lib/python3/dist-packages/hottel/__init__.py
        lib/python3/dist-packages/hottel/_core lib/python3/dist-packages/hottel/py.typed)
 

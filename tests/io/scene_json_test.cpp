@@ -514,8 +514,8 @@ TEST(ReadScene2, NamesFilesThatCannotBeRead) {
   std::ofstream(file) << "{\n";
   EXPECT_THAT(refusal_of(file), StartsWith(file.string() + ":1: this is not JSON"));
   std::ofstream(file) << with_edges(R"({"points": [[0,0],[1,1]], "material": "m"})");
-  EXPECT_EQ(read_scene_2(file).file, file.string());
-  EXPECT_EQ(read_scene_2(file).surfaces.size(), 1u);
+  EXPECT_EQ(read_scene_2(file)->file, file.string());
+  EXPECT_EQ(read_scene_2(file)->surfaces.size(), 1u);
   std::filesystem::remove(file);
 }
 

@@ -263,7 +263,8 @@ TEST(SvgReader, PassesOverStylesThatPaint) {
                   "background: url(data:a;x: 1) } .m { display: inline; scale: none; mask: none !important }</style>"
                   "<line id='a' x2='1' style='stroke-width: 3; zoom: 1; marker-end: none' r='3'/>"),
             lines("<line id='a' x2='1'/>"));
-  EXPECT_EQ(parse_svg_2("<svg style='width: 100%; height: auto'><line x2='1'/></svg>", "plan.svg").surfaces.size(), 1u);
+  EXPECT_EQ(parse_svg_2("<svg style='width: 100%; height: auto'><line x2='1'/></svg>", "plan.svg")->surfaces.size(),
+            1u);
 }
 
 TEST(SvgReader, RefusesWhatChangesADrawingFromOutside) {

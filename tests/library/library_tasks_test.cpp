@@ -1,6 +1,7 @@
-// The tasks of docs/library.md: each is compiled and run here, against hottel.h alone.
+// The tasks of docs/library.md: each is compiled and run here, against hottel.h and, for the last, hottel_visibility.h.
 #include <gtest/gtest.h>
 #include <hottel.h>
+#include <hottel_visibility.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -41,7 +42,7 @@ TEST_F(LibraryTasks, ASceneMadeInCode) {
   std::printf("F = %.12g\n", view_factor(Simulation2(scene.build()), "lamp", "room[3]").value);
   // end
   const Scene2 written = parse_scene_2(write_scene_2(scene.build()), "written");
-  EXPECT_EQ(written.edges, scene.build().edges);
+  EXPECT_EQ(written.edges, scene.build()->edges);
   EXPECT_EQ(written.edges[0].to, (Point2{Rational(4, 3), Rational(29, 10)}));
   EXPECT_EQ(printed(), "F = 0.535653882522\n");
 }

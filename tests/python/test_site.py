@@ -39,9 +39,10 @@ def test_the_menu_has_the_pages_that_docs_list(tmp_path):
     assert all((pages / page).is_file() for page in listed)
 
 
-def test_the_library_is_what_hottel_h_has():
+def test_the_library_is_hottel_h_and_what_stands_beside_it():
     headers = subprocess.run([sys.executable, "docs/site/public_headers.py"], check=True, cwd=ROOT, capture_output=True,
                              text=True).stdout.split()
     assert headers[0] == "hottel.h"
     assert all((ROOT / header).is_file() for header in headers)
     assert "solver/plane/simulation/simulation.h" in headers
+    assert "hottel_pictures.h" in headers and "viewer/picture/plane/scene_picture.h" in headers

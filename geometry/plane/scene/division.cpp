@@ -22,6 +22,11 @@ Rational quotient(std::uint32_t k, std::uint32_t n) {
   return t;
 }
 
+bool has_trees(const Scene2& scene) {
+  return std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
+                     [](const Surface& surface) { return !surface.trees.is_empty(); });
+}
+
 }  // namespace
 
 void divide_into(Scene2& scene, std::uint32_t n) {
@@ -40,6 +45,16 @@ std::optional<std::uint32_t> divide_by_length(Scene2& scene, const Rational& h, 
     surface.elements = static_cast<std::uint32_t>(n.get_ui());
   }
   return std::nullopt;
+}
+
+void divide_into(ValidScene2& scene, std::uint32_t n) {
+  HOTTEL_REQUIRE(n <= kMaxElements && !has_trees(scene.scene_));
+  divide_into(scene.scene_, n);
+}
+
+std::optional<std::uint32_t> divide_by_length(ValidScene2& scene, const Rational& h, std::uint32_t most) {
+  HOTTEL_REQUIRE(most <= kMaxElements && !has_trees(scene.scene_));
+  return divide_by_length(scene.scene_, h, most);
 }
 
 EdgeSpan2 EdgeSpan2::of(std::uint32_t parts, const TreeNode& node) {

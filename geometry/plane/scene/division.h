@@ -19,6 +19,11 @@ void divide_into(Scene2& scene, std::uint32_t n);
 // Throws ContractViolation unless h > 0.
 std::optional<std::uint32_t> divide_by_length(Scene2& scene, const Rational& h, std::uint32_t most);
 
+// The same of a valid scene, which stays valid. Throw ContractViolation also where n or `most` is above kMaxElements,
+// or a surface has trees.
+void divide_into(ValidScene2& scene, std::uint32_t n);
+std::optional<std::uint32_t> divide_by_length(ValidScene2& scene, const Rational& h, std::uint32_t most);
+
 // What lies between two parts of the way along an edge.
 struct EdgeSpan2 {
   Rational from = 0, to = 1;

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/plane/point.h"
-#include "geometry/plane/scene/light_place.h"
 #include "geometry/scene_table.h"
 
 namespace hottel {
@@ -15,6 +16,25 @@ namespace hottel {
 struct Edge2 {
   Point2 from, to;
   friend bool operator==(const Edge2&, const Edge2&) = default;
+};
+
+// A way through points at constant speed, once in so many seconds; a closed one leads back to its first point, and is
+// walked over and over.
+struct LightPath2 {
+  std::vector<Point2> points;  // two at least, not all the same
+  Rational seconds = 1;        // above 0
+  bool closed = false;
+  friend bool operator==(const LightPath2&, const LightPath2&) = default;
+};
+
+// One light of a scene: what Light leaves open.
+struct LightPlace2 {
+  Point2 position;         // of no meaning for a sun
+  Point2 direction{1, 0};  // of a spot: along the axis of its beam; of a sun: of its rays; of any length, not zero
+  Rational turned = 0;     // how far the axis is turned from there, in degrees, counter-clockwise
+  Rational rotation = 0;   // of the axis, in degrees a second, counter-clockwise
+  std::optional<LightPath2> path = {};  // what the position follows when time passes
+  friend bool operator==(const LightPlace2&, const LightPlace2&) = default;
 };
 
 // The most cells of a grid along one axis.
@@ -66,6 +86,33 @@ struct Scene2 : SceneTable {
 // (validate_grids), ContractViolation unless (1) does, there are as many places as lights and trees are whole. COST:
 // linear, for each light.
 void validate(const Scene2& scene);
+
+// A scene that is known to be valid: validation alone makes one, and what can be changed of it leaves it so. A Scene2
+// becomes one where it is asked for. It becomes a Scene2 again, which may be changed at will, where that is asked for.
+//
+//   (1) validate() holds for it
+class ValidScene2 {
+ public:
+  ValidScene2() = default;  // without surfaces
+  // Throws as validate() does. COST: that of validate().
+  ValidScene2(Scene2 scene) : scene_(std::move(scene)) { validate(scene_); }
+
+  const Scene2& operator*() const { return scene_; }
+  const Scene2* operator->() const { return &scene_; }
+  operator Scene2() const& { return scene_; }
+  operator Scene2() && { return std::move(scene_); }
+  operator SceneTable() const& = delete;  // that would be the scene without its shape
+  operator SceneTable() && = delete;
+
+  // Puts these grids in place of its own. Throws InputError naming the file unless they are valid.
+  void set_grids(std::vector<Grid2> grids);
+
+ private:
+  friend void divide_into(ValidScene2& scene, std::uint32_t n);
+  friend std::optional<std::uint32_t> divide_by_length(ValidScene2& scene, const Rational& h, std::uint32_t most);
+
+  Scene2 scene_;
+};
 
 // The point at t of the way from the first to the second point of an edge, exactly; t = 0 and t = 1 are its ends.
 Point2 point_at(const Edge2& edge, const Rational& t);

@@ -202,14 +202,14 @@ SceneBuilder2& SceneBuilder2::set_unit(std::string unit) {
   return *this;
 }
 
-Scene2 SceneBuilder2::build() const {
+ValidScene2 SceneBuilder2::build() const {
   Scene2 scene = scene_;
   append_polylines(scene, polylines_);
   seat_patches(scene, 0);
   settle_two_sided(scene);
-  validate(scene);
-  refuse_names_of_edges(scene, std::vector<int>(polylines_.groups.size()));
-  return scene;
+  ValidScene2 valid(std::move(scene));
+  refuse_names_of_edges(*valid, std::vector<int>(polylines_.groups.size()));
+  return valid;
 }
 
 std::uint32_t SceneBuilder2::material_of(const std::string& owner, const char* part, const std::string& name) const {

@@ -98,8 +98,8 @@ class SceneBuilder2 {
   // SI where hottel knows the unit (unit_of_length.h). Without it: m.
   SceneBuilder2& set_unit(std::string unit);
 
-  // The scene, valid. The builder keeps what it has: more may be added, and another scene made.
-  Scene2 build() const;
+  // The scene. The builder keeps what it has: more may be added, and another scene made.
+  ValidScene2 build() const;
 
  private:
   std::uint32_t material_of(const std::string& owner, const char* part, const std::string& name) const;

@@ -70,4 +70,9 @@ void validate(const Scene2& scene) {
   validate_grids(scene.grids, scene.file);
 }
 
+void ValidScene2::set_grids(std::vector<Grid2> grids) {
+  validate_grids(grids, scene_.file);
+  scene_.grids = std::move(grids);
+}
+
 }  // namespace hottel

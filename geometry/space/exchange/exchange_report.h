@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "geometry/sky_by_closure.h"
-#include "kernel/determinant.h"
+#include "geometry/exchange_report.h"
+#include "kernel/tier.h"
 
 namespace hottel {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/sky_by_closure.h"
+#include "geometry/exchange_report.h"
 #include "geometry/space/exchange/pair_sum.h"
 #include "geometry/space/prepared/element_table.h"
 

@@ -98,6 +98,11 @@ IntegerVector in_triangle(const std::array<const IntegerVector*, 3>& corners, st
   return difference(point, less);
 }
 
+bool has_trees(const Scene3& scene) {
+  return std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
+                     [](const Surface& surface) { return !surface.trees.is_empty(); });
+}
+
 }  // namespace
 
 void divide_into(Scene3& scene, std::uint32_t n) {
@@ -119,6 +124,16 @@ std::optional<std::uint32_t> divide_by_length(Scene3& scene, const Rational& h, 
     scene.surfaces[s].elements = static_cast<std::uint32_t>(n.get_ui());
   }
   return std::nullopt;
+}
+
+void divide_into(ValidScene3& scene, std::uint32_t n) {
+  HOTTEL_REQUIRE(n <= kMaxElements && !has_trees(scene.scene_));
+  divide_into(scene.scene_, n);
+}
+
+std::optional<std::uint32_t> divide_by_length(ValidScene3& scene, const Rational& h, std::uint32_t most) {
+  HOTTEL_REQUIRE(most <= kMaxElements && !has_trees(scene.scene_));
+  return divide_by_length(scene.scene_, h, most);
 }
 
 std::vector<std::array<Point3, 3>> triangles_of(const Polygon3& polygon) {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/element_tree.h"
+#include "geometry/element.h"
 #include "geometry/space/scene/scene.h"
 #include "kernel/determinant.h"
 
@@ -20,6 +20,11 @@ void divide_into(Scene3& scene, std::uint32_t n);
 // they are.
 // Throws ContractViolation unless h > 0.
 std::optional<std::uint32_t> divide_by_length(Scene3& scene, const Rational& h, std::uint32_t most);
+
+// The same of a valid scene, which stays valid. Throw ContractViolation also where n or `most` is above kMaxElements,
+// or a surface has trees.
+void divide_into(ValidScene3& scene, std::uint32_t n);
+std::optional<std::uint32_t> divide_by_length(ValidScene3& scene, const Rational& h, std::uint32_t most);
 
 // Returns the triangles of a polygon that is not convex, in which it is divided into elements: those of its
 // constrained Delaunay triangulation, their fronts as the polygon's; of one that is nearly plane its facets.

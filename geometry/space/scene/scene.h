@@ -4,10 +4,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/scene_table.h"
-#include "geometry/space/scene/light_place.h"
+#include "geometry/space/point.h"
 #include "geometry/space/scene/polygon.h"
 
 namespace hottel {
@@ -34,6 +35,24 @@ std::string camera_problem(const Camera3& camera);
 struct Mask3 {
   std::uint32_t surface = 0, base = 0;  // indices into SceneTable::surfaces
   friend bool operator==(const Mask3&, const Mask3&) = default;
+};
+
+// A way through points at constant speed, once in so many seconds; a closed one leads back to its first point, and is
+// walked over and over.
+struct LightPath3 {
+  std::vector<Point3> points;  // two at least, not all the same
+  Rational seconds = 1;        // above 0
+  bool closed = false;
+  friend bool operator==(const LightPath3&, const LightPath3&) = default;
+};
+
+// One light of a scene: what Light leaves open.
+struct LightPlace3 {
+  Point3 position;              // of no meaning for a sun
+  Vector3 direction{0, 0, -1};  // of a spot: along the axis of its beam; of a sun: of its rays; of any length, not zero
+  Vector3 rotation;             // of the axis: Rz Ry Rx, each angle in degrees a second
+  std::optional<LightPath3> path = {};  // what the position follows when time passes
+  friend bool operator==(const LightPlace3&, const LightPlace3&) = default;
 };
 
 // The most cells of a grid along one of its sides.
@@ -96,5 +115,32 @@ struct Scene3 : SceneTable {
 // Throws InputError naming file, line and surface or light unless (2) to (6) hold; ContractViolation unless (1) does
 // and there are as many places as lights. COST: that of polygon_problem, and linear for each light.
 void validate(const Scene3& scene);
+
+// A scene that is known to be valid: validation alone makes one, and what can be changed of it leaves it so. A Scene3
+// becomes one where it is asked for. It becomes a Scene3 again, which may be changed at will, where that is asked for.
+//
+//   (1) validate() holds for it
+class ValidScene3 {
+ public:
+  ValidScene3() = default;  // without surfaces
+  // Throws as validate() does. COST: that of validate().
+  ValidScene3(Scene3 scene) : scene_(std::move(scene)) { validate(scene_); }
+
+  const Scene3& operator*() const { return scene_; }
+  const Scene3* operator->() const { return &scene_; }
+  operator Scene3() const& { return scene_; }
+  operator Scene3() && { return std::move(scene_); }
+  operator SceneTable() const& = delete;  // that would be the scene without its shape
+  operator SceneTable() && = delete;
+
+  // Puts these grids in place of its own. Throws InputError naming the file unless they are valid.
+  void set_grids(std::vector<Grid3> grids);
+
+ private:
+  friend void divide_into(ValidScene3& scene, std::uint32_t n);
+  friend std::optional<std::uint32_t> divide_by_length(ValidScene3& scene, const Rational& h, std::uint32_t most);
+
+  Scene3 scene_;
+};
 
 }  // namespace hottel

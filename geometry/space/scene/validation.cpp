@@ -101,4 +101,9 @@ void validate_but_polygons(const Scene3& scene) {
   validate_rest(scene);
 }
 
+void ValidScene3::set_grids(std::vector<Grid3> grids) {
+  validate_grids(grids, scene_.file);
+  scene_.grids = std::move(grids);
+}
+
 }  // namespace hottel

@@ -61,10 +61,9 @@ void MapPolylines2::add_ring(Points ring, bool is_hole, const MapFeature2& featu
   add(std::move(ring), true, feature);
 }
 
-Scene2 MapPolylines2::scene() {
+ValidScene2 MapPolylines2::scene() {
   if (scene_.surfaces.empty())
     throw instead_ ? *instead_ : InputError({scene_.file, 0}, "there is no line and no polygon in it");
-  validate(scene_);
   return std::move(scene_);
 }
 

@@ -52,7 +52,7 @@ class MapPolylines2 {
   void add_ring(Points ring, bool is_hole, const MapFeature2& feature, const FileLine& where);
 
   // The scene of all that was added. To be called once. Throws InputError where that is nothing.
-  Scene2 scene();
+  ValidScene2 scene();
 
  private:
   void drop_repeated_points(Points& points, const FileLine& where);

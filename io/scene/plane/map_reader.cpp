@@ -274,8 +274,8 @@ bool is_map_2(const std::filesystem::path& file) {
   return file.extension() == ".geojson" || file.extension() == ".wkt";
 }
 
-Scene2 parse_map_2(std::string_view text, const std::string& name_for_messages, MapSide2 side,
-                   PassedOver* passed_over) {
+ValidScene2 parse_map_2(std::string_view text, const std::string& name_for_messages, MapSide2 side,
+                        PassedOver* passed_over) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   PassedOver untold;
   Map map(name_for_messages, passed_over != nullptr ? *passed_over : untold);
@@ -293,7 +293,7 @@ Scene2 parse_map_2(std::string_view text, const std::string& name_for_messages, 
   return map.scene();
 }
 
-Scene2 read_map_2(const std::filesystem::path& file, MapSide2 side, PassedOver* passed_over) {
+ValidScene2 read_map_2(const std::filesystem::path& file, MapSide2 side, PassedOver* passed_over) {
   return parse_map_2(read_text_file(file), file.string(), side, passed_over);
 }
 

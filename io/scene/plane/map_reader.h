@@ -32,11 +32,11 @@ bool is_map_2(const std::filesystem::path& file);
 //       same, third coordinates and measures are counted and passed over; where there is nothing else the first is
 //       refused
 // Throws InputError with file and line.                                                              COST: linear.
-Scene2 read_map_2(const std::filesystem::path& file, MapSide2 side = MapSide2::kInside,
-                  PassedOver* passed_over = nullptr);
+ValidScene2 read_map_2(const std::filesystem::path& file, MapSide2 side = MapSide2::kInside,
+                       PassedOver* passed_over = nullptr);
 
 // The same for a text in memory: GeoJSON where it begins with '{'.
-Scene2 parse_map_2(std::string_view text, const std::string& name_for_messages, MapSide2 side = MapSide2::kInside,
-                   PassedOver* passed_over = nullptr);
+ValidScene2 parse_map_2(std::string_view text, const std::string& name_for_messages, MapSide2 side = MapSide2::kInside,
+                        PassedOver* passed_over = nullptr);
 
 }  // namespace hottel

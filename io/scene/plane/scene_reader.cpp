@@ -18,7 +18,7 @@ class PlaneReader {
  public:
   explicit PlaneReader(const std::string& name) : table_(scene_) { scene_.file = name; }
 
-  Scene2 read(const JsonValue& root) {
+  ValidScene2 read(const JsonValue& root) {
     const auto [hottel, dimension, about, materials, edges, polylines, polygons, mesh, sky, closed, grid, camera,
                 lights, expect, unit] = read_members(root, {"the scene"}, kSceneKeys);
     if (about) scene_.about = read_string(about, {"about"});
@@ -38,9 +38,9 @@ class PlaneReader {
     table_.settle_bands();
     if (!scene_.bases.empty()) seat_patches(scene_, finest_unit({edges, polylines}));
     settle_two_sided(scene_);
-    validate(scene_);
-    refuse_names_of_edges(scene_, polyline_line_);
-    return std::move(scene_);
+    ValidScene2 scene(std::move(scene_));
+    refuse_names_of_edges(*scene, polyline_line_);
+    return scene;
   }
 
  private:
@@ -164,7 +164,7 @@ class PlaneReader {
 
 }  // namespace
 
-Scene2 read_document_2(const JsonValue& root, const std::string& name_for_messages) {
+ValidScene2 read_document_2(const JsonValue& root, const std::string& name_for_messages) {
   return PlaneReader(name_for_messages).read(root);
 }
 

@@ -9,6 +9,6 @@
 namespace hottel {
 
 // Returns the scene of a document of dimension 2, as read_scene says. Throws InputError.
-Scene2 read_document_2(const JsonValue& root, const std::string& name_for_messages);
+ValidScene2 read_document_2(const JsonValue& root, const std::string& name_for_messages);
 
 }  // namespace hottel

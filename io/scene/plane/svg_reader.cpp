@@ -59,7 +59,7 @@ class SvgReader {
     scene_.file = file;
   }
 
-  Scene2 read() {
+  ValidScene2 read() {
     if (const auto nul = text_.find('\0'); nul != std::string_view::npos) refuse(line_at(nul), "has a NUL byte");
     const auto result =
         document_.load_buffer(text_.data(), text_.size(), pugi::parse_default | pugi::parse_pi, pugi::encoding_utf8);
@@ -84,7 +84,6 @@ class SvgReader {
     });
     scene_.keep(order);
     if (!scene_.bases.empty()) seat_patches(scene_, finest_unit());
-    validate(scene_);
     return std::move(scene_);
   }
 
@@ -360,12 +359,12 @@ class SvgReader {
 
 bool is_svg_2(const std::filesystem::path& file) { return file.extension() == ".svg"; }
 
-Scene2 parse_svg_2(std::string_view text, const std::string& name_for_messages, PassedOver* passed_over) {
+ValidScene2 parse_svg_2(std::string_view text, const std::string& name_for_messages, PassedOver* passed_over) {
   PassedOver untold;
   return SvgReader(text, name_for_messages, passed_over != nullptr ? *passed_over : untold).read();
 }
 
-Scene2 read_svg_2(const std::filesystem::path& file, PassedOver* passed_over) {
+ValidScene2 read_svg_2(const std::filesystem::path& file, PassedOver* passed_over) {
   return parse_svg_2(read_text_file(file), file.string(), passed_over);
 }
 

@@ -39,9 +39,9 @@ bool is_svg_2(const std::filesystem::path& file);
 //       elements of other namespaces) is passed over
 //
 // Throws InputError with file and line.                                                              COST: linear.
-Scene2 read_svg_2(const std::filesystem::path& file, PassedOver* passed_over = nullptr);
+ValidScene2 read_svg_2(const std::filesystem::path& file, PassedOver* passed_over = nullptr);
 
 // The same for a text in memory.
-Scene2 parse_svg_2(std::string_view text, const std::string& name_for_messages, PassedOver* passed_over = nullptr);
+ValidScene2 parse_svg_2(std::string_view text, const std::string& name_for_messages, PassedOver* passed_over = nullptr);
 
 }  // namespace hottel

@@ -189,17 +189,15 @@ std::uint32_t MeshAdder3::added_material(const Mesh3& mesh, int line, Material m
 }
 
 MeshScene3 scene_of(const Mesh3& mesh, Triangulator3* triangulator, PassedOver* passed_over) {
-  MeshScene3 result;
-  result.scene.file = mesh.file;
+  Scene3 scene;
+  scene.file = mesh.file;
   MeshEntry3 entry;
   entry.name = std::filesystem::path(mesh.file).stem().string();
   if (!name_problem(entry.name).empty()) entry.name = "mesh";
   entry.invents_materials = true;
-  MeshAdder3 adder(result.scene, triangulator, passed_over);
+  MeshAdder3 adder(scene, triangulator, passed_over);
   adder.add(mesh, entry);
-  validate(result.scene);
-  result.invented = adder.invented();
-  return result;
+  return {std::move(scene), adder.invented()};
 }
 
 }  // namespace hottel

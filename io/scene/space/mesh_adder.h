@@ -78,11 +78,11 @@ class MeshAdder3 {
 
 // A mesh as a scene, and the names of its materials that no file defines.
 struct MeshScene3 {
-  Scene3 scene;
+  ValidScene3 scene;
   std::vector<std::string> invented;
 };
 
-// Returns the scene that a mesh is by itself, valid.
+// Returns the scene that a mesh is by itself.
 //
 //   (1) materials are those of its MTL files; where it names none, all have kMeshReflectivity. Faces that name no
 //       material have kMeshMaterial, which has kMeshReflectivity too unless an MTL file defines it

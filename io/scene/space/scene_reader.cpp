@@ -39,7 +39,7 @@ class SpaceReader3 {
     scene_.file = name;
   }
 
-  Scene3 read(const JsonValue& root) {
+  ValidScene3 read(const JsonValue& root) {
     const auto [hottel, dimension, about, materials, edges, polylines, polygons, mesh, sky, closed, grid, camera,
                 lights, expect, unit] = read_members(root, {"the scene"}, kSceneKeys);
     if (about) scene_.about = read_string(about, {"about"});
@@ -61,9 +61,9 @@ class SpaceReader3 {
     table_.settle_bands();
     seat_patches(scene_, unit_of_digits_);
     settle_two_sided(scene_);
-    validate(scene_);
-    refuse_groups_of_one_name();
-    return std::move(scene_);
+    ValidScene3 scene(std::move(scene_));
+    refuse_groups_of_one_name(*scene);
+    return scene;
   }
 
  private:
@@ -331,14 +331,14 @@ class SpaceReader3 {
   }
 
   // Polygons and faces differ in name in a valid scene; groups have names of their own.
-  void refuse_groups_of_one_name() const {
-    std::vector<int> line(scene_.groups.size());
-    for (std::size_t s = scene_.surfaces.size(); s-- > 0;) line[scene_.surfaces[s].group] = scene_.surfaces[s].line;
+  static void refuse_groups_of_one_name(const Scene3& scene) {
+    std::vector<int> line(scene.groups.size());
+    for (std::size_t s = scene.surfaces.size(); s-- > 0;) line[scene.surfaces[s].group] = scene.surfaces[s].line;
     std::unordered_map<std::string_view, std::size_t> first;
-    for (std::size_t g = 0; g < scene_.groups.size(); ++g)
-      if (const auto [other, is_new] = first.emplace(scene_.groups[g].name, g); !is_new)
-        throw InputError({scene_.file, line[g]},
-                         "two groups have the name " + quoted_name(scene_.groups[g].name) + ", the other one in line " +
+    for (std::size_t g = 0; g < scene.groups.size(); ++g)
+      if (const auto [other, is_new] = first.emplace(scene.groups[g].name, g); !is_new)
+        throw InputError({scene.file, line[g]},
+                         "two groups have the name " + quoted_name(scene.groups[g].name) + ", the other one in line " +
                              std::to_string(line[other->second]),
                          {"a polygon alone, the polygons of one \"group\" and a group of a mesh are groups"});
   }
@@ -355,8 +355,8 @@ class SpaceReader3 {
 
 }  // namespace
 
-Scene3 read_document_3(const JsonValue& root, const std::string& name_for_messages, const TextSource& files,
-                       Triangulator3* triangulator, PassedOver* passed_over) {
+ValidScene3 read_document_3(const JsonValue& root, const std::string& name_for_messages, const TextSource& files,
+                            Triangulator3* triangulator, PassedOver* passed_over) {
   return SpaceReader3(name_for_messages, files, triangulator, passed_over).read(root);
 }
 

@@ -13,7 +13,7 @@ namespace hottel {
 // Returns the scene of a document of dimension 3, as read_scene says. Files of meshes are found relative to the folder
 // of the document. A triangulator cuts polygons that are not plane;
 // what is passed over in meshes is counted. Throws InputError.
-Scene3 read_document_3(const JsonValue& root, const std::string& name_for_messages, const TextSource& files,
-                       Triangulator3* triangulator = nullptr, PassedOver* passed_over = nullptr);
+ValidScene3 read_document_3(const JsonValue& root, const std::string& name_for_messages, const TextSource& files,
+                            Triangulator3* triangulator = nullptr, PassedOver* passed_over = nullptr);
 
 }  // namespace hottel

@@ -29,27 +29,25 @@ class SceneOfDeck3 {
       : deck_(std::move(deck)), records_(deck_.records), triangulator_(triangulator) {}
 
   Vs3Scene3 make() {
-    scene().file = deck_.file;
-    scene().about = deck_.title;
-    scene().closed = deck_.is_enclosure;
+    scene_.file = deck_.file;
+    scene_.about = deck_.title;
+    scene_.closed = deck_.is_enclosure;
     name_records();
     accept_digits();
     seat_subsurfaces();
     for (std::size_t k = 0; k < records_.size(); ++k) check(k);
     cut_bases();
     for (std::size_t k = 0; k < records_.size(); ++k) add(k);
-    if (scene().surfaces.empty())
+    if (scene_.surfaces.empty())
       throw InputError({deck_.file, records_.front().line}, "the deck has no surface with an area left");
     join_bodies();
-    validate(scene());
+    ValidScene3 scene(std::move(scene_));
     take_output();
     add_notes();
-    return std::move(result_);
+    return {std::move(scene), std::move(notes_), output_};
   }
 
  private:
-  Scene3& scene() { return result_.scene; }
-
   std::string text_of(std::size_t k) const {
     return (records_[k].name.empty() ? "obstruction " : "surface ") + std::to_string(k + 1) +
            (records_[k].name.empty() ? "" : " " + quoted_name(records_[k].name));
@@ -200,21 +198,21 @@ class SceneOfDeck3 {
     surface.is_obstruction = record.kind == Vs3Kind3::kNull || record.kind == Vs3Kind3::kObstruction;
     if (!surface.is_obstruction) surface.material = material_of(record.emittance);
     const std::size_t leader = leader_of(k);
-    const auto [group, is_new] = groups_.emplace(leader, static_cast<std::uint32_t>(scene().groups.size()));
-    if (is_new) scene().groups.emplace_back(names_[leader]);
+    const auto [group, is_new] = groups_.emplace(leader, static_cast<std::uint32_t>(scene_.groups.size()));
+    if (is_new) scene_.groups.emplace_back(names_[leader]);
     surface.group = group->second;
     if (records_[leader].emittance != record.emittance) mixes_emittances_ = true;
-    if (triangulator_ != nullptr && triangulator_->add(scene(), surface, outlines_[k])) return;
+    if (triangulator_ != nullptr && triangulator_->add(scene_, surface, outlines_[k])) return;
     if (const auto& [problem, hint] = polygon_problem(outlines_[k]); !problem.empty()) refuse(k, problem, hint);
-    place_.emplace(k, static_cast<std::uint32_t>(scene().surfaces.size()));
-    if (record.kind == Vs3Kind3::kMask) scene().masks.push_back({place_[k], place_.at(record.base - 1)});
-    scene().add(std::move(surface), std::move(outlines_[k]));
+    place_.emplace(k, static_cast<std::uint32_t>(scene_.surfaces.size()));
+    if (record.kind == Vs3Kind3::kMask) scene_.masks.push_back({place_[k], place_.at(record.base - 1)});
+    scene_.add(std::move(surface), std::move(outlines_[k]));
   }
 
   // A base has a hole where its subsurface is: what is combined with either can close with both together only. Nothing
   // closes in which no three surfaces are combined.
   void join_bodies() {
-    const auto n = static_cast<std::uint32_t>(scene().groups.size());
+    const auto n = static_cast<std::uint32_t>(scene_.groups.size());
     DisjointSets joined(n);
     std::vector<std::size_t> combined(records_.size());
     for (std::size_t k = 0; k < records_.size(); ++k) ++combined[leader_of(k)];
@@ -238,7 +236,7 @@ class SceneOfDeck3 {
     for (std::uint32_t g = 0; g < n; ++g) ++count[joined.root(g)];
     for (std::uint32_t g = 0; g < n; ++g)
       if (const std::uint32_t first = joined.root(g); count[first] > 1 && may_close[first] != 0)
-        scene().groups[g].body = scene().groups[first].name;
+        scene_.groups[g].body = scene_.groups[first].name;
   }
 
   std::size_t leader_of(std::size_t k) const {
@@ -246,17 +244,17 @@ class SceneOfDeck3 {
   }
 
   std::uint32_t material_of(const Rational& emittance) {
-    const auto [entry, is_new] = materials_.emplace(emittance, static_cast<std::uint32_t>(scene().materials.size()));
+    const auto [entry, is_new] = materials_.emplace(emittance, static_cast<std::uint32_t>(scene_.materials.size()));
     if (is_new)
-      scene().materials.push_back(
+      scene_.materials.push_back(
           {"emittance " + exact_text(emittance), Spectrum::scalar(1 - emittance), Spectrum::scalar(0)});
     return entry->second;
   }
 
   void take_output() {
     const Vs3Output3& asked = deck_.output;
-    result_.output = {surface_of(asked.row, "row"), surface_of(asked.column, "col"), asked.out, asked.list,
-                      asked.wants_script_f};
+    output_ = {surface_of(asked.row, "row"), surface_of(asked.column, "col"), asked.out, asked.list,
+               asked.wants_script_f};
   }
 
   // The surface that a control names by the number of its record; nothing for 0.
@@ -279,7 +277,7 @@ class SceneOfDeck3 {
   }
 
   void add_notes() {
-    const auto note = [this](std::string text) { result_.notes.push_back(std::move(text)); };
+    const auto note = [this](std::string text) { notes_.push_back(std::move(text)); };
     if (!deck_.not_obeyed.empty()) {
       std::string names;
       for (const std::string& name : deck_.not_obeyed) names += (names.empty() ? "" : ", ") + name;
@@ -299,7 +297,9 @@ class SceneOfDeck3 {
   Vs3Deck3 deck_;
   const std::vector<Vs3Record3>& records_;
   Triangulator3* triangulator_;
-  Vs3Scene3 result_;
+  Scene3 scene_;
+  std::vector<std::string> notes_;
+  DeckOutput3 output_;
   std::vector<std::string> names_, covered_;
   std::vector<Polygon3> outlines_;                         // with what subsurfaces cut out
   std::unordered_map<std::size_t, std::uint32_t> groups_;  // by the record that gives the name

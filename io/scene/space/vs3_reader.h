@@ -25,12 +25,12 @@ struct DeckOutput3 {
 
 // A deck as a scene, and what is read otherwise than View3D does: sentences without a full stop.
 struct Vs3Scene3 {
-  Scene3 scene;
+  ValidScene3 scene;
   std::vector<std::string> notes;
   DeckOutput3 output;
 };
 
-// Returns the scene that a deck is by itself, valid.
+// Returns the scene that a deck is by itself.
 //
 //   (1) S: a surface of that name, or NAME~NUMBER where several have it, in the order of the deck. Its front reflects
 //       1 - emit, exactly, and emits nothing; its back is black and has no row

@@ -8,7 +8,7 @@
 
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "solver/dividing/dividing_estimate.h"
-#include "solver/radiosity/light_test.h"
+#include "solver/radiosity/radiosity_options.h"
 
 namespace hottel {
 

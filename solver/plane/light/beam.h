@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/light.h"
-#include "geometry/plane/scene/light_place.h"
+#include "geometry/plane/scene/scene.h"
 #include "kernel/ball.h"
 #include "kernel/enclosure.h"
 

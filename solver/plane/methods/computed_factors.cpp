@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "geometry/exchange_request.h"
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
+#include "solver/plane/methods/exchange_method.h"
 
 namespace hottel {
 

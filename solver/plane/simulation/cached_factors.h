@@ -1,7 +1,9 @@
 // View factors of scenes in the plane that are kept in a store.
 #pragma once
 
+#include "geometry/exchange_request.h"
 #include "solver/plane/methods/computed_factors.h"
+#include "solver/plane/methods/exchange_method.h"
 #include "solver/store.h"
 
 namespace hottel {

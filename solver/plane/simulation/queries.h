@@ -14,7 +14,7 @@
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/point.h"
 #include "kernel/enclosure.h"
-#include "kernel/support/stage.h"
+#include "kernel/support/interrupt.h"
 #include "solver/radiosity/radiosity_solution.h"
 
 namespace hottel {

@@ -7,7 +7,7 @@ namespace hottel {
 
 Simulation2 refined(const Simulation2& simulation, const RefinementLevels& levels, const StageProgress& progress) {
   if (!levels.is_any()) return simulation;
-  return simulation.with_scene(with_trees(simulation.scene(), refined_trees(*simulation.prepared(progress), levels)));
+  return simulation.with_trees(refined_trees(*simulation.prepared(progress), levels));
 }
 
 }  // namespace hottel

@@ -9,16 +9,19 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/plane/check/finding.h"
 #include "geometry/plane/exchange/closed_promise.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/prepared/element_table.h"
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
+#include "kernel/support/stage.h"
 #include "kernel/support/stopwatch.h"
 #include "kernel/support/with_file_context.h"
 #include "solver/dividing/dividing_estimate.h"
 #include "solver/methods/negative_factors.h"
+#include "solver/plane/check/scene_check.h"
 #include "solver/plane/dividing/estimate.h"
 #include "solver/plane/light/illumination_grid.h"
 #include "solver/plane/light/light_rows.h"
@@ -31,6 +34,7 @@
 #include "solver/plane/simulation/cached_factors.h"
 #include "solver/radiosity/radiosity_sources.h"
 #include "solver/radiosity/scene_radiosities.h"
+#include "solver/refinement.h"
 
 namespace hottel {
 namespace {
@@ -576,16 +580,22 @@ void Simulation2::Version::set_findings(const Version* before) {
                   old(before, &Version::check), make_check);
 }
 
-Simulation2::Simulation2(Scene2 scene, SimulationRequest2 request) {
-  validate(scene);
-  version_ =
-      std::make_shared<const Version>(std::make_shared<const Scene2>(std::move(scene)), std::move(request), nullptr);
-}
+Simulation2::Simulation2(ValidScene2 scene, SimulationRequest2 request)
+    : version_(std::make_shared<const Version>(std::make_shared<const Scene2>(std::move(scene)), std::move(request),
+                                               nullptr)) {}
 
-Simulation2 Simulation2::with_scene(Scene2 scene) const {
-  validate(scene);
+Simulation2 Simulation2::with_scene(ValidScene2 scene) const {
   return Simulation2(std::make_shared<const Version>(std::make_shared<const Scene2>(std::move(scene)),
                                                      version_->request, version_.get()));
+}
+
+Simulation2 Simulation2::with_trees(std::vector<SurfaceTrees> trees) const {
+  auto scene = std::make_shared<const Scene2>(hottel::with_trees(*version_->scene, std::move(trees)));
+  for (const Surface& surface : scene->surfaces)
+    for (const bool is_back : {false, true})
+      if (const auto& leaves = surface.trees.of(is_back); !leaves.empty())
+        HOTTEL_REQUIRE(are_whole(leaves, surface.elements, 2));
+  return Simulation2(std::make_shared<const Version>(std::move(scene), version_->request, version_.get()));
 }
 
 Simulation2 Simulation2::with_request(SimulationRequest2 request) const {

@@ -8,24 +8,74 @@
 //     std::printf("B = %.6g\n", each.radiosities()->channels[0].elements[0].radiosity);
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
+#include "geometry/exchange_request.h"
 #include "geometry/plane/scene/scene.h"
-#include "kernel/support/stage.h"
+#include "kernel/support/interrupt.h"
 #include "solver/plan.h"
-#include "solver/plane/check/scene_check.h"
 #include "solver/plane/light/light_values.h"
 #include "solver/plane/methods/computed_factors.h"
-#include "solver/plane/simulation/simulation_request.h"
-#include "solver/radiosity/direct_light.h"
+#include "solver/radiosity/radiosity_options.h"
 #include "solver/radiosity/radiosity_solution.h"
-#include "solver/radiosity/radiosity_solver.h"
 
 namespace hottel {
 
+template <class Prepared>
+class ExchangeMethod;
+class FactorStore;
 class LightRows2;
+class RadiositySolver;
 struct DividingEstimate;
+struct Finding2;
+struct LightShares;
 struct PreparedScene2;
+struct SceneCheck2;
+
+// A picture of light as its painter made it: the bytes of an image file, or what else the painter returns.
+struct LightPicture2 {
+  std::string bytes;
+  double scale = 1;    // factor that values were multiplied by before the tone curve
+  double seconds = 0;  // the time it took, measured by the simulation
+};
+
+// Draws light. The solver knows nothing of pictures; a caller who wants one passes a painter.
+class LightPainter2 {
+ public:
+  virtual ~LightPainter2() = default;
+  // Draws the light of a scene. The same arguments give the same picture. Throws UsageError where it cannot be drawn.
+  // Threads may share one.
+  virtual LightPicture2 paint(const PreparedScene2& prepared, const IlluminationGrid2& light) const = 0;
+};
+
+// A request, with the defaults.
+//
+//   (1) two requests are equal if all their members are; methods and painters are equal if they are the same object
+struct SimulationRequest2 {
+  std::shared_ptr<const ExchangeMethod<PreparedScene2>> method = {};  // null: the exact one
+  std::optional<Granularity> granularity = {};            // nothing: elements where a surface is divided, else faces
+  bool wants_visibility = false, wants_measures = false;  // beside the factors
+  RowChoice rows = {};                                    // as ExchangeRequest takes them
+  bool everything = false;                                // every effect, though the scene calls for less of them
+  Solver solver = Solver::kAuto;
+  std::optional<int> iterations = {};  // of solvers that iterate, as in RadiosityOptions
+  std::optional<double> until = {};
+  std::optional<Grid2> grid = {};  // nothing: default_grid(scene); the plan then counts all grids of the scene
+  bool wants_light = true;         // whether the plan counts it; light is made when it is asked for
+  LightKind2 light = LightKind2::kPoint;
+  LightTest lights = LightTest::kExact;  // how elements are lit by the scene's lights; light in the rooms stays exact
+  bool keeps_rows = false;  // what the cells see is kept: light after an edit of materials needs no further look
+  std::shared_ptr<const LightPainter2> painter = {};  // null: no picture can be asked for
+  std::uint64_t memory = 0;                           // bytes, as memory_allowed() takes it
+  // The store that kept factors are read from and computed ones are written to. Nothing that is computed depends on it.
+  std::shared_ptr<FactorStore> store = {};
+
+  friend bool operator==(const SimulationRequest2&, const SimulationRequest2&) = default;
+};
 
 // One version of a scene and of a request, with all results, in stages ("a <- b": b is computed from a):
 //
@@ -64,12 +114,15 @@ struct PreparedScene2;
 // where there is no solution, or none in doubles.
 class Simulation2 {
  public:
-  // Throws InputError naming file, line and surface unless the scene is valid (validate), UsageError where the
-  // request's grid is not valid (grid_problem).
-  explicit Simulation2(Scene2 scene, SimulationRequest2 request = {});
+  // A Scene2 is validated: throws InputError naming file, line and surface unless it is valid (validate). Throws
+  // UsageError where the request's grid is not valid (grid_problem).
+  explicit Simulation2(ValidScene2 scene, SimulationRequest2 request = {});
 
   // The version after an edit. COST: linear in the scene, which is compared with that of this version.
-  Simulation2 with_scene(Scene2 scene) const;  // throws as the constructor does
+  Simulation2 with_scene(ValidScene2 scene) const;  // throws as the constructor does
+  // The same scene with these trees in place of its own. Throws ContractViolation unless there is one for each surface,
+  // and each is whole (are_whole).
+  Simulation2 with_trees(std::vector<SurfaceTrees> trees) const;
   Simulation2 with_request(SimulationRequest2 request) const;
 
   const Scene2& scene() const;
@@ -94,7 +147,7 @@ class Simulation2 {
   std::shared_ptr<const LightPicture2> picture(const StageProgress& progress = {}) const;
   // lost_light: warnings of light that is lost; check: all findings of `check`. Both use the exact factors, which are
   // those of this version if its method is exact.
-  std::shared_ptr<const Findings2> lost_light(const StageProgress& progress = {}) const;
+  std::shared_ptr<const std::vector<Finding2>> lost_light(const StageProgress& progress = {}) const;
   std::shared_ptr<const SceneCheck2> check(const StageProgress& progress = {}) const;
 
  private:

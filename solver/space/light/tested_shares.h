@@ -6,7 +6,7 @@
 #include "geometry/element.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "solver/radiosity/direct_light.h"
-#include "solver/radiosity/light_test.h"
+#include "solver/radiosity/radiosity_options.h"
 
 namespace hottel {
 

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "kernel/enclosure.h"
-#include "kernel/support/stage.h"
+#include "kernel/support/interrupt.h"
 #include "solver/radiosity/radiosity_solution.h"
 
 namespace hottel {

@@ -9,7 +9,7 @@ namespace hottel {
 Simulation3 refined(const Simulation3& simulation, const RefinementLevels& levels, const StageProgress& progress) {
   if (!levels.is_any()) return simulation;
   HOTTEL_REQUIRE(simulation.request().factors.granularity == Granularity::kElement);
-  return simulation.with_scene(with_trees(simulation.scene(), refined_trees(*simulation.prepared(progress), levels)));
+  return simulation.with_trees(refined_trees(*simulation.prepared(progress), levels));
 }
 
 }  // namespace hottel

@@ -14,12 +14,14 @@
 #include "geometry/unmeasured_pairs.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
+#include "kernel/support/stage.h"
 #include "kernel/support/stopwatch.h"
 #include "kernel/support/with_file_context.h"
 #include "solver/dividing/dividing_estimate.h"
 #include "solver/methods/negative_factors.h"
 #include "solver/radiosity/radiosity_sources.h"
 #include "solver/radiosity/scene_radiosities.h"
+#include "solver/refinement.h"
 #include "solver/space/dividing/estimate.h"
 #include "solver/space/light/average_irradiance.h"
 #include "solver/space/light/scene_light_shares.h"
@@ -378,10 +380,8 @@ struct Simulation3::Version {
   }
 };
 
-Simulation3::Simulation3(Scene3 scene, SimulationRequest3 request) {
-  validate(scene);
-  version_ = std::make_shared<const Version>(std::make_shared<const Scene3>(std::move(scene)), request, nullptr);
-}
+Simulation3::Simulation3(ValidScene3 scene, SimulationRequest3 request)
+    : version_(std::make_shared<const Version>(std::make_shared<const Scene3>(std::move(scene)), request, nullptr)) {}
 
 Simulation3 Simulation3::with_request(const SimulationRequest3& request) const {
   return Simulation3(std::make_shared<const Version>(version_->scene, request, version_.get()));
@@ -396,8 +396,18 @@ Simulation3 Simulation3::with_materials(std::vector<Material> materials) const {
 }
 
 Simulation3 Simulation3::with_scene(Scene3 scene) const {
-  has_places_of(scene, *version_->scene) ? validate_but_polygons(scene) : validate(scene);
+  if (!has_places_of(scene, *version_->scene)) return with_scene(ValidScene3(std::move(scene)));
+  validate_but_polygons(scene);
   return Simulation3(std::make_shared<const Version>(*version_, std::make_shared<const Scene3>(std::move(scene))));
+}
+
+Simulation3 Simulation3::with_scene(ValidScene3 scene) const {
+  return Simulation3(std::make_shared<const Version>(*version_, std::make_shared<const Scene3>(std::move(scene))));
+}
+
+Simulation3 Simulation3::with_trees(std::vector<SurfaceTrees> trees) const {
+  auto scene = std::make_shared<const Scene3>(hottel::with_trees(*version_->scene, std::move(trees)));
+  return Simulation3(std::make_shared<const Version>(*version_, std::move(scene)));
 }
 
 bool are_alike_as_before_3(const std::vector<Material>& before, const std::vector<Material>& now) {

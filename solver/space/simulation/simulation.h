@@ -12,33 +12,31 @@
 #include <string>
 #include <vector>
 
-#include "geometry/exchange_matrix.h"
+#include "geometry/element.h"
 #include "geometry/exchange_request.h"
-#include "geometry/row_choice.h"
-#include "geometry/space/exchange/exchange_report.h"
 #include "geometry/space/scene/scene.h"
-#include "kernel/support/stage.h"
+#include "kernel/support/interrupt.h"
 #include "solver/plan.h"
-#include "solver/radiosity/direct_light.h"
-#include "solver/radiosity/light_test.h"
 #include "solver/radiosity/radiosity_options.h"
 #include "solver/radiosity/radiosity_solution.h"
-#include "solver/radiosity/radiosity_solver.h"
-#include "solver/space/light/illumination_grid.h"
 #include "solver/space/methods/computed_factors.h"
-#include "solver/space/methods/exchange_method.h"
 
 namespace hottel {
 
+template <class Prepared>
+class ExchangeMethod;
 class FactorStore;
+class RadiositySolver;
 class RowWatch3;
 struct DividingEstimate;
+struct IlluminationGrid3;
+struct LightShares;
 struct PreparedScene3;
 
 // Which view factors are asked for, with the defaults.
 struct FactorsRequest3 {
   // The method; null means "exact". Only the exact method has visibilities, measures, limits and hidden pairs.
-  std::shared_ptr<const ExchangeMethod3> method = nullptr;
+  std::shared_ptr<const ExchangeMethod<PreparedScene3>> method = nullptr;
   Granularity granularity = Granularity::kFace;
   bool wants_visibility = false, wants_measures = false;  // beside the factors
   double tolerance = 1e-9;                                // as ExchangeRequest takes it
@@ -131,15 +129,19 @@ bool are_alike_as_before_3(const std::vector<Material>& before, const std::vecto
 // enclosure though it must, the promise `closed` is broken, or there is no solution, or none in doubles.
 class Simulation3 {
  public:
-  // Throws InputError naming file, line and surface unless the scene is valid (validate). This and with_request() throw
-  // UsageError where the request's grid is not valid (grid_problem), or averages are asked for in a volume.
-  explicit Simulation3(Scene3 scene, SimulationRequest3 request = {});
+  // A Scene3 is validated: throws InputError naming file, line and surface unless it is valid (validate). This and
+  // with_request() throw UsageError where the request's grid is not valid (grid_problem), or averages are asked for in
+  // a volume.
+  explicit Simulation3(ValidScene3 scene, SimulationRequest3 request = {});
   Simulation3 with_request(const SimulationRequest3& request) const;
   // The scene with these materials in place of its own, of the same names. Throws InputError as the constructor,
   // ContractViolation unless there are as many.
   Simulation3 with_materials(std::vector<Material> materials) const;
   // The version of another scene. Throws InputError as the constructor.
   Simulation3 with_scene(Scene3 scene) const;
+  Simulation3 with_scene(ValidScene3 scene) const;
+  // The same scene with these trees in place of its own. Throws ContractViolation unless there is one for each surface.
+  Simulation3 with_trees(std::vector<SurfaceTrees> trees) const;
 
   const Scene3& scene() const;
   const SimulationRequest3& request() const;

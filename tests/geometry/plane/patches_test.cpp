@@ -256,7 +256,7 @@ TEST(Patches2, AreProjectedWithinTheDigits) {
     for (const Point2& end : {scene.edges[s].from, scene.edges[s].to})
       EXPECT_EQ(doubled_area(scene.edges[0].from, scene.edges[0].to, end), 0);
   EXPECT_EQ(scene.edges[1].from, (Point2{Rational(3, 2), Rational(1, 2)})) << "what lies there stays";
-  EXPECT_TRUE(parse_scene_2(write_scene_2(scene), "scene.json").edges == scene.edges);
+  EXPECT_TRUE(parse_scene_2(write_scene_2(scene), "scene.json")->edges == scene.edges);
 }
 
 // Off by three units as a long base may be, but far for what is itself one unit long. A narrow window is not.

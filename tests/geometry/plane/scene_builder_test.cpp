@@ -106,8 +106,9 @@ TEST(SceneBuilder2, GivesTheSceneOfAFileOfTheSameEntries) {
   builder.add_edge("", Point2{2, 1}, {3, 1}, "steel", {.behind = Behind::kOpen});
   builder.set_sky({1, 2, "1/3"}).set_closed().set_grid({0, 0}, {4, 3}, 400, 300).set_about("a room");
   expect_same(builder.build(), read);
-  for (const Surface& surface : builder.build().surfaces) EXPECT_EQ(surface.line, 0);
-  EXPECT_EQ(builder.build().file, "scene made in code");
+  const ValidScene2 built = builder.build();
+  for (const Surface& surface : built->surfaces) EXPECT_EQ(surface.line, 0);
+  EXPECT_EQ(builder.build()->file, "scene made in code");
   expect_same(parse_scene_2(write_scene_2(builder.build()), "written"), read);
 }
 
@@ -115,21 +116,21 @@ TEST(SceneBuilder2, HasOneGridOrSeveralWithNames) {
   SceneBuilder2 builder = with_white();
   builder.add_edge("wall", {0, 0}, {1, 0}, "white").add_grid("desk", {0, 0}, {1, 1}, 2, 3);
   builder.add_grid("floor", {0, 0}, {"1/3", 1}, 4, 5);
-  EXPECT_EQ(builder.build().grids,
+  EXPECT_EQ(builder.build()->grids,
             (std::vector<Grid2>{{{0, 0}, {1, 1}, 2, 3, "desk"}, {{0, 0}, {Rational(1, 3), 1}, 4, 5, "floor"}}));
-  EXPECT_EQ(parse_scene_2(write_scene_2(builder.build()), "written").grids, builder.build().grids);
+  EXPECT_EQ(parse_scene_2(write_scene_2(builder.build()), "written")->grids, builder.build()->grids);
   EXPECT_THROW(builder.add_grid("desk", {0, 0}, {1, 1}, 1, 1), InputError);
   EXPECT_THROW(builder.add_grid("", {0, 0}, {1, 1}, 1, 1), InputError);
   EXPECT_THROW(builder.add_grid("a:b", {0, 0}, {1, 1}, 1, 1), InputError);
-  EXPECT_EQ(builder.build().grids.size(), 2u);
-  EXPECT_EQ(builder.set_grid({0, 0}, {1, 1}, 1, 1).build().grids, (std::vector<Grid2>{{{0, 0}, {1, 1}, 1, 1}}));
+  EXPECT_EQ(builder.build()->grids.size(), 2u);
+  EXPECT_EQ(builder.set_grid({0, 0}, {1, 1}, 1, 1).build()->grids, (std::vector<Grid2>{{{0, 0}, {1, 1}, 1, 1}}));
   EXPECT_THROW(builder.add_grid("desk", {0, 0}, {1, 1}, 1, 1), InputError) << "beside one without a name";
 }
 
 TEST(SceneBuilder2, MayGoOnAfterBuild) {
   SceneBuilder2 builder = with_white();
   builder.add_polyline("room", {{0, 0}, {0, 3}, {4, 3}}, "white");
-  EXPECT_EQ(builder.build().surfaces.size(), 2u);
+  EXPECT_EQ(builder.build()->surfaces.size(), 2u);
   builder.add_edge("wall", {0, 0}, {1, 0}, "white");
   const Scene2 scene = builder.build();
   ASSERT_EQ(scene.surfaces.size(), 3u);

@@ -33,10 +33,10 @@ std::vector<std::filesystem::path> scenes() {
 TEST(RowSums, AreOneWithinTheErrorsThatEntriesState) {
   std::size_t open_rows = 0, all = 0;
   for (const std::filesystem::path& file : scenes()) {
-    const Scene scene = read_scene(file);
-    if (!std::holds_alternative<Scene3>(scene)) continue;
+    const ValidScene scene = read_scene(file);
+    if (!std::holds_alternative<ValidScene3>(scene)) continue;
     ++all;
-    const PreparedScene3 prepared = prepare(std::get<Scene3>(scene));
+    const PreparedScene3 prepared = prepare(std::get<ValidScene3>(scene));
     ExchangeRows3 rows(prepared, {.wants_visibility = false});
     rows.add_all();
     const ElementTable3& table = rows.table();
@@ -62,8 +62,8 @@ TEST(RowSums, AreOneWithinTheErrorsThatEntriesState) {
 // The sides of a hat that are seen from within from one end of an edge are seen from outside from the other one, while
 // its rim stays convex.
 TEST(RowSums, OfAHatThatIsSeenFromWithinAndFromOutside) {
-  const Scene scene = read_scene(HOTTEL_SOURCE_DIR "/scenes/space/hat_in_a_box.json");
-  const ExchangeMatrix matrix = exact_exchange(prepare(std::get<Scene3>(scene)));  // every pair can be measured
+  const ValidScene scene = read_scene(HOTTEL_SOURCE_DIR "/scenes/space/hat_in_a_box.json");
+  const ExchangeMatrix matrix = exact_exchange(prepare(std::get<ValidScene3>(scene)));  // every pair can be measured
   for (const char* name : {"floor", "top", "mat"}) {
     double sum = 0;
     for (const FactorEntry& entry : matrix.row(*matrix.find(name))) sum += entry.factor.value;

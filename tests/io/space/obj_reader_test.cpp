@@ -134,7 +134,7 @@ TEST(ObjReader, NamesFacesAfterTheirGroups) {
 TEST(ObjReader, CallsFacesMeshWhereTheFileCannotGiveThemItsName) {
   for (const char* file : {"sky.obj", "a#b.obj", ".obj"}) {
     const MeshScene3 read = scene_of(parse_obj_3(kSquare + "f 1 2 3 4\n", file, source_of({})));
-    EXPECT_EQ(read.scene.surfaces[0].name, std::string(file) == ".obj" ? ".obj[0]" : "mesh[0]");
+    EXPECT_EQ(read.scene->surfaces[0].name, std::string(file) == ".obj" ? ".obj[0]" : "mesh[0]");
   }
 }
 
@@ -170,7 +170,8 @@ TEST(ObjReader, WhatIsTypedAfterGDecidesWhichGroupItIs) {
 TEST(ObjReader, GroupsOfAnObjectAreOneBody) {
   const auto bodies = [](const std::string& text) {
     std::vector<std::string> result;
-    for (const Group& group : read(kSquare + text).scene.groups) result.push_back(group.name + " " + group.body);
+    const MeshScene3 mesh = read(kSquare + text);
+    for (const Group& group : mesh.scene->groups) result.push_back(group.name + " " + group.body);
     return result;
   };
   const std::string f = "f 1 2 3\n";
@@ -190,7 +191,7 @@ TEST(ObjReader, PassesOverLinesAndPoints) {
             "1 point passed over at in/room.obj:6\n2 lines passed over, the first at in/room.obj:5");
 }
 
-TEST(ObjReader, KeepsTheLineOfAFace) { EXPECT_EQ(read(kSquare + "\nf 1 2 3\n").scene.surfaces[0].line, 6); }
+TEST(ObjReader, KeepsTheLineOfAFace) { EXPECT_EQ(read(kSquare + "\nf 1 2 3\n").scene->surfaces[0].line, 6); }
 
 TEST(ObjReader, RefusesFacesThatAreNoPolygonsByNameAndLine) {
   EXPECT_THAT(refusal("v 0 0 0\nv 1 0 0\nv 1 1 0.125\nv 0 1 0\ng box\nf 1 2 3 4\n"),
@@ -207,8 +208,8 @@ TEST(ObjReader, RefusesFacesThatAreNoPolygonsByNameAndLine) {
 TEST(ObjReader, TakesFacesThatOverlapOrAreNotConvex) {
   EXPECT_EQ(names(kSquare + "f 1 2 3\nf 1 2 4\n"), (std::vector<std::string>{"room room[0]", "room room[1]"}));
   const MeshScene3 read_one = read("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1.5 0.5 0\nf 1 2 3 4\n");
-  ASSERT_EQ(read_one.scene.polygons.size(), 1u);
-  EXPECT_EQ(read_one.scene.polygons[0].points.size(), 4u);
+  ASSERT_EQ(read_one.scene->polygons.size(), 1u);
+  EXPECT_EQ(read_one.scene->polygons[0].points.size(), 4u);
 }
 
 TEST(ObjReader, PassesOverWhatIsNeitherShapeNorLight) {
@@ -258,8 +259,8 @@ TEST(ObjReader, TakesMaterialsFromMtlFiles) {
 TEST(ObjReader, MakesUpMaterialsWhereThereIsNoMtlFile) {
   const MeshScene3 read =
       scene_of(parse_obj_3(kSquare + "v 0 0 1\nusemtl oak\nf 1 2 5\nf 1 4 5\n", "a.obj", source_of({})));
-  ASSERT_EQ(read.scene.materials.size(), 1u);
-  EXPECT_EQ(read.scene.materials[0].name, "oak");
+  ASSERT_EQ(read.scene->materials.size(), 1u);
+  EXPECT_EQ(read.scene->materials[0].name, "oak");
   EXPECT_THAT(read.invented, ElementsAre("oak"));
 }
 
@@ -285,7 +286,7 @@ TEST(ObjReader, PassesOverAMissingMtlFileWhereNoMaterialOfItIsNeeded) {
   };
   PassedOver passed_over;
   const Mesh3 mesh = parse_obj_3(kSquare + "mtllib no.mtl\nusemtl a\nf 1 2 3\n", "in/room.obj", none);
-  EXPECT_EQ(scene_of(mesh, nullptr, &passed_over).scene.materials[0].name, "a");
+  EXPECT_EQ(scene_of(mesh, nullptr, &passed_over).scene->materials[0].name, "a");
   EXPECT_EQ(passed_over.note(), "1 missing file of materials passed over: 'in/no.mtl' at in/room.obj:5");
   // One that is there says what its materials are; what only the other could say is refused.
   const TextSource one = [](const std::filesystem::path& file) -> std::string {

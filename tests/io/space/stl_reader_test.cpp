@@ -136,7 +136,7 @@ TEST(StlReader, RefusesWrongTrianglesOfABinaryFileByTheirByte) {
             "in/room.stl: face 'room[0]' has no area: it has fewer than three points that differ (byte 84)");
   PassedOver passed_over;
   const Mesh3 mesh = parse_stl_3(binary("", {good, {0, 0, 0, 1, 0, 0, 2, 0, 0}, good}), "in/room.stl");
-  EXPECT_EQ(scene_of(mesh, nullptr, &passed_over).scene.surfaces[1].name, "room[2]");
+  EXPECT_EQ(scene_of(mesh, nullptr, &passed_over).scene->surfaces[1].name, "room[2]");
   EXPECT_EQ(passed_over.note(), "1 face without area passed over: 'room[1]' at in/room.stl (byte 134)");
   EXPECT_EQ(refusal(binary("", {})), "in/room.stl: has no triangles");
 }

@@ -82,8 +82,8 @@ TEST(Vs3Reader, ReflectsOneMinusTheEmittanceExactlyOneMaterialAnEmittance) {
 
 TEST(Vs3Reader, TakesEmittancesAsWrittenAndSaysSoOnce) {
   const Vs3Scene3 deck = read(kSquares + "S 1 1 2 3 4 0 0 0 mirror\nS 2 12 11 10 9 0 0 1 black\n");
-  EXPECT_EQ(deck.scene.materials[0].reflectivity.value[0], 1);
-  EXPECT_EQ(deck.scene.materials[1].reflectivity.value[0], 0);
+  EXPECT_EQ(deck.scene->materials[0].reflectivity.value[0], 1);
+  EXPECT_EQ(deck.scene->materials[1].reflectivity.value[0], 0);
   ASSERT_EQ(deck.notes.size(), 1u);
   EXPECT_THAT(deck.notes[0], StartsWith("emittances are as written; View3D takes 0.001"));
   EXPECT_THAT(read(kSquares + "S 1 1 2 3 4 0 0 .001 a\nS 2 12 11 10 9 0 0 .999 b\n").notes, IsEmpty());
@@ -131,7 +131,7 @@ TEST(Vs3Reader, OfABaseThatIsCoveredWhollyNothingIsLeft) {
   const Vs3Scene3 deck = read(kSquares + "S 1 1 2 3 4 0 0 .5 wall\nS 2 1 2 3 0 1 0 .9 a\nS 3 1 3 4 0 1 0 .1 b\n");
   EXPECT_THAT(lines(deck.scene), ElementsAre("a: 0,0,0 1,0,0 1,1,0", "b: 0,0,0 1,1,0 0,1,0"));
   EXPECT_THAT(deck.notes, ElementsAre("subsurfaces cover 'wall' wholly: of these there is no row"));
-  EXPECT_EQ(deck.scene.groups.size(), 2u);
+  EXPECT_EQ(deck.scene->groups.size(), 2u);
 }
 
 TEST(Vs3Reader, NullsTakeAreaFromTheirBaseAndStayOpaque) {
@@ -200,9 +200,9 @@ TEST(Vs3Reader, ObstructionsHaveNoMaterial) {
 
 TEST(Vs3Reader, WhatIsCombinedIsAGroup) {
   const Vs3Scene3 deck = read(kSquares + "S 1 1 2 3 0 0 0 .5 a\nS 2 12 11 10 9 0 0 .5 b\nS 3 1 3 4 0 0 1 .5 c\n");
-  ASSERT_EQ(deck.scene.groups.size(), 2u);
-  EXPECT_EQ(deck.scene.groups[0].name, "a");
-  EXPECT_EQ(deck.scene.surfaces[2].group, 0u);
+  ASSERT_EQ(deck.scene->groups.size(), 2u);
+  EXPECT_EQ(deck.scene->groups[0].name, "a");
+  EXPECT_EQ(deck.scene->surfaces[2].group, 0u);
   EXPECT_THAT(deck.notes, IsEmpty());
   EXPECT_THAT(read(kSquares + "S 1 1 2 3 0 0 0 .5 a\nS 2 1 3 4 0 0 1 .6 c\n").notes,
               ElementsAre(StartsWith("surfaces of different emittances are combined")));
@@ -216,11 +216,11 @@ TEST(Vs3Reader, ControlsPromiseAClosedSceneOrAreSaidNotToBeObeyed) {
   const std::string surface = kSquares + "S 1 1 2 3 4 0 0 .5 a\n";
   const Vs3Scene3 deck =
       read("C encl=1 list=2 eps=1.e-5, maxu = 8 MAXO 8 mino=0 emit=1 EPS=1e-4 out=1 ! row=1\n" + surface);
-  EXPECT_TRUE(deck.scene.closed);
+  EXPECT_TRUE(deck.scene->closed);
   EXPECT_TRUE(deck.output.wants_script_f);
   EXPECT_THAT(deck.notes, ElementsAre(StartsWith("eps, maxu, MAXO, mino: read, not obeyed"),
                                       StartsWith("encl=1 promises that the scene is closed")));
-  EXPECT_FALSE(read("C encl=0 emit=0\n" + surface).scene.closed);
+  EXPECT_FALSE(read("C encl=0 emit=0\n" + surface).scene->closed);
   EXPECT_FALSE(read("C encl=0 emit=0\n" + surface).output.wants_script_f);
   EXPECT_THAT(read("C encl=0 emit=0\n" + surface).notes, IsEmpty());
   EXPECT_EQ(refusal("C enclosure=1\n" + surface), "in/room.vs3:1: the control 'enclosure' is not known");
@@ -269,12 +269,12 @@ TEST(Vs3Reader, ReadsTheFormOfPlanesExactlyWhereAnglesAreQuarters) {
 TEST(Vs3Reader, OtherAnglesHaveRationalSinesSoThatQuadrilateralsStayPlane) {
   const Vs3Scene3 deck = read("F 3a\nS 1 R 0 0 .5 a\n 0 0 0 30 60.5 2 3\n");
   EXPECT_THAT(deck.notes, ElementsAre(HasSubstr("no multiples of 90 degrees")));
-  const std::vector<Point3>& p = deck.scene.polygons[0].points;
+  const std::vector<Point3>& p = deck.scene->polygons[0].points;
   EXPECT_EQ(dot(p[2] - p[1], p[2] - p[1]), 4);
   EXPECT_EQ(dot(p[0] - p[1], p[0] - p[1]), 9);
   EXPECT_EQ(dot(p[0] - p[1], p[2] - p[1]), 0);
   // The normal (sin 30 sin 60.5, cos 30 sin 60.5, cos 60.5), times the area.
-  const Vector3 normal = doubled_area(deck.scene.polygons[0]);
+  const Vector3 normal = doubled_area(deck.scene->polygons[0]);
   EXPECT_NEAR(to_double(normal.x), 12 * 0.5 * 0.87035569593989971, 1e-14);
   EXPECT_NEAR(to_double(normal.y), 12 * 0.8660254037844386 * 0.87035569593989971, 1e-14);
   EXPECT_NEAR(to_double(normal.z), 12 * 0.49242356010346718, 1e-14);

@@ -42,14 +42,14 @@ TEST(Vs3Writer, WhatItWritesIsReadBackExactly) {
       "first.vs3");
   const WrittenVs3Deck3 deck = write_vs3_3(first.scene, true);
   const Vs3Scene3 again = parse_vs3_3(deck.text, "again.vs3");
-  EXPECT_EQ(again.scene.polygons, first.scene.polygons);
-  EXPECT_EQ(again.scene.groups, first.scene.groups);
-  EXPECT_EQ(again.scene.materials, first.scene.materials);
-  EXPECT_EQ(again.scene.about, "a b");
-  EXPECT_TRUE(again.scene.closed);
+  EXPECT_EQ(again.scene->polygons, first.scene->polygons);
+  EXPECT_EQ(again.scene->groups, first.scene->groups);
+  EXPECT_EQ(again.scene->materials, first.scene->materials);
+  EXPECT_EQ(again.scene->about, "a b");
+  EXPECT_TRUE(again.scene->closed);
   for (std::size_t s = 0; s < 4; ++s) {
-    EXPECT_EQ(again.scene.surfaces[s].name, first.scene.surfaces[s].name);
-    EXPECT_EQ(again.scene.surfaces[s].is_obstruction, s == 3);
+    EXPECT_EQ(again.scene->surfaces[s].name, first.scene->surfaces[s].name);
+    EXPECT_EQ(again.scene->surfaces[s].is_obstruction, s == 3);
   }
   EXPECT_EQ(write_vs3_3(again.scene, true).text, deck.text);
 }
@@ -85,7 +85,7 @@ TEST(Vs3Writer, AMaskIsAnMRecord) {
   const WrittenVs3Deck3 deck = write_vs3_3(scene, true);
   EXPECT_THAT(deck.text, HasSubstr("M 2  5 6 7 0   1 0   0.25   foot\n"));
   EXPECT_THAT(deck.notes, ElementsAre(HasSubstr("black backs are not in the deck")));
-  EXPECT_EQ(parse_vs3_3(deck.text, "again.vs3").scene.masks, scene.masks);
+  EXPECT_EQ(parse_vs3_3(deck.text, "again.vs3").scene->masks, scene.masks);
   // Of a base that has more corners than a record there is none.
   scene.polygons[0].points.insert(scene.polygons[0].points.begin() + 1, {2, -1, 0});
   try {
@@ -102,7 +102,8 @@ TEST(Vs3Writer, APolygonWithAHoleThatNothingFillsIsCut) {
   const WrittenVs3Deck3 deck = write_vs3_3(scene_of(kFloor), false);
   EXPECT_THAT(deck.notes, IsSupersetOf({StartsWith("'floor': cut into pieces")}));
   Rational area;
-  for (const Polygon3& piece : parse_vs3_3(deck.text, "a.vs3").scene.polygons) area += doubled_area(piece).z;
+  const Vs3Scene3 again = parse_vs3_3(deck.text, "a.vs3");
+  for (const Polygon3& piece : again.scene->polygons) area += doubled_area(piece).z;
   EXPECT_EQ(area, 31);
   // A front that looks the other way is no subsurface.
   const WrittenVs3Deck3 turned = write_vs3_3(

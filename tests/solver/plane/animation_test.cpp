@@ -12,6 +12,7 @@
 #include "solver/plane/light/refinement.h"
 #include "solver/plane/simulation/refined.h"
 #include "solver/plane/simulation/simulation.h"
+#include "solver/radiosity/radiosity_solver.h"
 
 namespace hottel::animation_test {
 namespace {

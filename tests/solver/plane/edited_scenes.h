@@ -7,8 +7,10 @@
 #include <random>
 #include <string>
 
+#include "geometry/plane/check/finding.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "solver/plane/check/scene_check.h"
 #include "solver/plane/simulation/simulation.h"
 
 namespace hottel {

@@ -12,8 +12,10 @@
 #include "geometry/plane/prepared/element_table.h"
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
+#include "solver/plane/check/scene_check.h"
 #include "solver/plane/light/light_shares.h"
 #include "solver/plane/simulation/simulation.h"
+#include "solver/radiosity/radiosity_solver.h"
 #include "tests/solver/plane/lit_scenes.h"
 
 namespace hottel::tested_shares_test {

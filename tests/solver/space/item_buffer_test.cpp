@@ -26,7 +26,7 @@ struct Items {
       : prepared(ready(name, elements)), geometry(prepared), items(prepared, geometry.table()) {}
 
   static PreparedScene3 ready(const std::string& name, std::uint32_t elements) {
-    Scene3 scene = std::get<Scene3>(read_scene(std::string(HOTTEL_SOURCE_DIR) + "/scenes/space/" + name));
+    Scene3 scene = std::get<ValidScene3>(read_scene(std::string(HOTTEL_SOURCE_DIR) + "/scenes/space/" + name));
     divide_into(scene, elements);
     return prepare(std::move(scene));
   }

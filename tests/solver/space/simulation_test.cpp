@@ -15,6 +15,8 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
 #include "solver/memory_store.h"
+#include "solver/radiosity/radiosity_solver.h"
+#include "solver/space/light/illumination_grid.h"
 
 namespace hottel::simulation_test {
 namespace {

@@ -12,6 +12,7 @@
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
+#include "solver/radiosity/radiosity_solver.h"
 #include "solver/space/light/scene_light_shares.h"
 #include "solver/space/simulation/simulation.h"
 #include "tests/geometry/space/box_scene.h"

@@ -11,6 +11,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
+#include "solver/space/light/illumination_grid.h"
 #include "solver/space/simulation/simulation.h"
 #include "viewer/picture/space/gathered_source.h"
 #include "viewer/picture/space/render_picture.h"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "solver/plane/simulation/simulation_request.h"
+#include "solver/plane/simulation/simulation.h"
 #include "viewer/picture/picture_options.h"
 
 namespace hottel {

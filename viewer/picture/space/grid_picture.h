@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "solver/space/light/illumination_grid.h"
 #include "solver/space/simulation/simulation.h"
 #include "viewer/picture/picture_options.h"
 #include "viewer/picture/shown_values.h"

@@ -7,6 +7,7 @@
 
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
+#include "solver/plane/check/scene_check.h"
 #include "solver/plane/light/light_values.h"
 
 namespace hottel {

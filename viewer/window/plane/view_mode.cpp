@@ -20,6 +20,7 @@
 #include "kernel/rounding.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
+#include "solver/plane/check/scene_check.h"
 #include "solver/plane/compare/method_comparison.h"
 #include "solver/plane/methods/computed_factors.h"
 #include "solver/plane/methods/method_catalogue.h"

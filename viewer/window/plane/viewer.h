@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "kernel/support/stopwatch.h"
-#include "solver/plane/simulation/simulation_request.h"
+#include "solver/plane/simulation/simulation.h"
 #include "viewer/edit/plane/scene_editor.h"
 #include "viewer/window/light_legend.h"
 #include "viewer/window/panel.h"

@@ -36,7 +36,7 @@ TEST(AsRead2, IsWhatTheReaderGivesWhateverTheOrder) {
   std::mt19937_64 random(7);
   std::size_t differing = 0;
   for (int round = 0; round < 500; ++round) {
-    const Scene2 scene = round % 5 == 0 ? read_scene_2(showcase("apartment")) : small_room();
+    const Scene2 scene = round % 5 == 0 ? Scene2(read_scene_2(showcase("apartment"))) : small_room();
     std::vector<std::uint32_t> order(scene.surfaces.size());
     for (std::uint32_t s = 0; s < order.size(); ++s) order[s] = s;
     for (std::size_t swaps = random() % 4; swaps > 0; --swaps)

@@ -1,6 +1,7 @@
 // Long rows of edits: whatever is done, what is saved is what is seen.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <set>
 

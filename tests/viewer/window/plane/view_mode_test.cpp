@@ -19,6 +19,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/decimal.h"
 #include "kernel/support/interrupt.h"
+#include "solver/plane/check/scene_check.h"
 #include "solver/plane/compare/method_comparison.h"
 #include "solver/plane/methods/computed_factors.h"
 #include "solver/plane/methods/method_catalogue.h"

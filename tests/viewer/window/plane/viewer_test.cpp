@@ -151,7 +151,7 @@ TEST(Viewer2, LightsMoveWithTheirTime) {
   EXPECT_TRUE(shows(scene_after(hand.scene(), Rational(1, 2))));
   const fs::path saved = hand.path("saved.json");
   hand.play("save " + saved.string());
-  EXPECT_EQ(read_scene_2(saved).light_places[0].direction, turning.light_places[0].direction);
+  EXPECT_EQ(read_scene_2(saved)->light_places[0].direction, turning.light_places[0].direction);
   hand.play("key tab\nwait");
   EXPECT_TRUE(shows(hand.scene()));
   EXPECT_EQ(hand.viewer->views().state().depth, LiveDepth2::kFull);

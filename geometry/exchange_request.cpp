@@ -1,9 +1,8 @@
-#include "geometry/row_choice.h"
+#include "geometry/exchange_request.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "geometry/face.h"
 #include "geometry/scene_names.h"
 
 namespace hottel {

@@ -1,5 +1,5 @@
 // Paths in trees under elements, and leaves that are a whole.
-#include "geometry/element_tree.h"
+#include "geometry/element.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,9 @@
 #include <random>
 #include <set>
 
-#include "geometry/element.h"
 #include "kernel/support/failure.h"
 
-namespace hottel::element_tree_test {
+namespace hottel::element_test {
 namespace {
 
 TreePath path(std::initializer_list<int> digits) { return TreePath(std::vector<int>(digits)); }
@@ -98,4 +97,4 @@ TEST(TreeLeaves, OfOneDepthAreWholeAndAsMany) {
 }
 
 }  // namespace
-}  // namespace hottel::element_tree_test
+}  // namespace hottel::element_test

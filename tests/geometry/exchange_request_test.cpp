@@ -1,5 +1,5 @@
 // Which rows are asked for, and that asking for some changes none.
-#include "geometry/row_choice.h"
+#include "geometry/exchange_request.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,12 +10,13 @@
 
 #include "geometry/near_names.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/space/exchange/exchange.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 
-namespace hottel::row_choice_test {
+namespace hottel::exchange_request_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -80,7 +81,7 @@ void expect_rows_of(const ExchangeMatrix& whole, const ExchangeMatrix& some, con
 }
 
 TEST(RowChoice, RowsOfThePlaneAreThoseOfTheWholeMatrix) {
-  for (const Scene2& scene : {room(), read_scene_2(source("scenes/showcase/apartment.json"))})
+  for (const Scene2& scene : std::vector<Scene2>{room(), read_scene_2(source("scenes/showcase/apartment.json"))})
     for (const Granularity granularity : {Granularity::kFace, Granularity::kElement, Granularity::kGroup})
       for (const std::string& word : {std::string("fronts"), scene.surfaces.front().name, scene.groups.back().name}) {
         const PreparedScene2 prepared = prepare(scene, Divided2::kYes);
@@ -111,4 +112,4 @@ TEST(RowChoice, RowsOfSpaceAreThoseOfTheWholeMatrix) {
 }
 
 }  // namespace
-}  // namespace hottel::row_choice_test
+}  // namespace hottel::exchange_request_test
