@@ -376,6 +376,11 @@ class Hiders3::Proof {
 
   // Whether a patch is within a body and looks into it, and the other one is outside one of its planes.
   bool looks_into(int of, const Body& body) const {
+    // Most patches are clearly outside of a plane.
+    const auto is_outside_of = [&](const Plane& plane) {
+      return std::ranges::any_of(patches_[of]->corners, [&](const Direction3& p) { return plane.height(p) > deep_; });
+    };
+    if (std::ranges::any_of(body.planes, is_outside_of)) return false;
     for (std::uint32_t k = 0; k < body.planes.size(); ++k) {
       const Sides found = sides(of, body.exact->planes[k], body.planes[k]);
       if (found.has_outside) return false;
