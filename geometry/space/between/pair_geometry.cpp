@@ -11,6 +11,14 @@ namespace {
 
 int sign_of(Int128 value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
+// The memory of the corners of the body that was taken away last, for the next one.
+thread_local std::vector<std::uint32_t> spare_corners;
+
+void take_away_last(std::vector<PairGeometry3::Body>& bodies) {
+  spare_corners.swap(bodies.back().corners);
+  bodies.pop_back();
+}
+
 }  // namespace
 
 PairGeometry3::PairGeometry3(const Occluders3& occluders, const KnownPatch3& i, const KnownPatch3& j)
@@ -89,6 +97,8 @@ std::uint32_t PairGeometry3::begin_body(const Occluders3& occluders, std::uint32
   const auto number = static_cast<std::uint32_t>(bodies.size());
   const auto outline = occluders.outline(surface);
   Body& body = bodies.emplace_back(Body{{}, &occluders.exact_normal(surface), occluders.normal(surface), surface});
+  body.corners.swap(spare_corners);
+  body.corners.clear();
   body.corners.reserve(outline.size());
   for (const VertexId3 v : outline) body.corners.push_back(vertex(occluders, v));
   return number;
@@ -113,12 +123,12 @@ bool PairGeometry3::add_between(const Occluders3& occluders, std::uint32_t surfa
       return true;
     }
   }
-  bodies.pop_back();
+  take_away_last(bodies);
   return false;
 }
 
 void PairGeometry3::drop_last() {
-  bodies.pop_back();
+  take_away_last(bodies);
   of_body.pop_back();
   of_patch.pop_back();
 }

@@ -473,8 +473,9 @@ class Hiders3::Proof {
                          [&](const Direction3& p) { return is_so(body.lid->height(p)); });
     };
     const auto is_deep = [this](double height) { return height < -deep_; };
+    if (!all_meet(body, a, b, true)) return false;
     const bool within = are_within_lid(number) || (all_heights(a, is_deep) && all_heights(b, is_deep));
-    if (!all_meet(body, a, b, within)) return false;
+    if (!within && !all_meet(body, a, b, false)) return false;
     if (within)
       return is_outside(0, number) || is_outside(1, number) || body.is_apart_from(a, deep_) ||
              body.is_apart_from(b, deep_);
