@@ -72,6 +72,10 @@ class SurfaceBoxes3 {
   void find(const Box3& box, std::vector<std::uint32_t>& found) const {
     find_where([&box](const Box3& other) { return other.meets(box); }, found);
   }
+  // Whether the box of some polygon but two meets this one.
+  bool is_any_but(std::uint32_t first, std::uint32_t second, const Box3& box) const {
+    return !nodes_.empty() && is_any_but(0, first, second, box);
+  }
   // Appends the polygons whose boxes are so; a box in another one must be so only if that one is.
   template <class IsSo>
   void find_where(const IsSo& is_so, std::vector<std::uint32_t>& found) const {
@@ -90,6 +94,16 @@ class SurfaceBoxes3 {
     }
     for (std::uint32_t k = node.begin; k < node.end; ++k)
       if (const std::uint32_t s = occluders_->order()[k]; is_so(surfaces_[s])) found.push_back(s);
+  }
+
+  bool is_any_but(std::uint32_t n, std::uint32_t first, std::uint32_t second, const Box3& box) const {
+    if (!nodes_[n].meets(box)) return false;
+    const Occluders3::Node& node = occluders_->nodes()[n];
+    if (node.left != 0) return is_any_but(node.left, first, second, box) || is_any_but(node.right, first, second, box);
+    for (std::uint32_t k = node.begin; k < node.end; ++k)
+      if (const std::uint32_t s = occluders_->order()[k]; s != first && s != second && surfaces_[s].meets(box))
+        return true;
+    return false;
   }
 
   const Occluders3* occluders_;

@@ -2,67 +2,79 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/space/arrangement/short_integers.h"
-#include "kernel/exact_double.h"
 
 namespace hottel {
 namespace {
 
 int sign_of(Int128 value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
+// The memory of the corners of the body that was taken away last, for the next one.
+thread_local std::vector<std::uint32_t> spare_corners;
+
+void take_away_last(std::vector<PairGeometry3::Body>& bodies) {
+  spare_corners.swap(bodies.back().corners);
+  bodies.pop_back();
+}
+
 }  // namespace
 
-PairGeometry3::PairGeometry3(const Occluders3& occluders, const Patch3& i, const Patch3& j)
-    : vertices_(&occluders.vertices()) {
-  long top = 0;
-  for (const Patch3* patch : {&i, &j})
-    for (const IntegerVector& corner : patch->corners) top = std::max(top, bits(corner));
+PairGeometry3::PairGeometry3(const Occluders3& occluders, const KnownPatch3& i, const KnownPatch3& j)
+    : vertices_(&occluders.vertices()), known_{&i, &j} {
+  const long top = std::max(i.bits, j.bits);
   shift_ = top <= 53 && occluders.vertices().shift() == 0 ? 0 : std::max(0L, top - 53);
+  constexpr std::size_t kManyPoints = 32, kManyBodies = 8;
+  points.reserve(kManyPoints);
+  bodies.reserve(kManyBodies);
   add_patch(occluders, i);
   add_patch(occluders, j);
   patch_sides = {side_of_body(0, 1), side_of_body(1, 0)};
 }
 
+PairGeometry3::PairGeometry3(const Occluders3& occluders, const Patch3& i, const Patch3& j)
+    : PairGeometry3(occluders, std::unique_ptr<const OwnPatches>(new OwnPatches{{occluders, i}, {occluders, j}})) {}
+
+PairGeometry3::PairGeometry3(const Occluders3& occluders, std::unique_ptr<const OwnPatches> own)
+    : PairGeometry3(occluders, own->i, own->j) {
+  own_ = std::move(own);
+}
+
 std::uint32_t PairGeometry3::add_point(const IntegerVector& exact, const Integer& weight,
-                                       const BoundedVector& approximate) {
-  points.push_back({&exact, &weight, approximate, truncated_double(weight)});
+                                       const BoundedVector& approximate, double approximate_weight) {
+  points.push_back({&exact, &weight, approximate, approximate_weight});
   if (mpz_sizeinbase(weight.get_mpz_t(), 2) > 53) points.back().approximate.error += 0x1p-52 * approximate.size;
   return static_cast<std::uint32_t>(points.size() - 1);
 }
 
 std::uint32_t PairGeometry3::vertex(const Occluders3& occluders, VertexId3 v) {
   static const Integer kOne = 1;
-  const auto [place, is_new] = vertex_numbers_.try_emplace(v.number(), static_cast<std::uint32_t>(points.size()));
+  const auto [number, is_new] = vertex_numbers_.try_number(v, static_cast<std::uint32_t>(points.size()));
   const Vertices3& vertices = occluders.vertices();
   if (is_new)
     add_point(vertices.exact(v), kOne,
-              shift_ == vertices.shift() ? vertices.approximate(v) : rounded(vertices.exact(v), shift_));
-  return place->second;
+              shift_ == vertices.shift() ? vertices.approximate(v) : rounded(vertices.exact(v), shift_), 1);
+  return number;
 }
 
-void PairGeometry3::add_patch(const Occluders3& occluders, const Patch3& patch) {
-  Body body{{}, nullptr, {}, patch.surface};
-  IntegerVector& normal = patch_normals_[bodies.size()];
-  body.normal_numbers = &normal;
-  if (patch.is_far()) {
-    for (const IntegerVector& corner : patch.corners)
-      body.corners.push_back(add_point(corner, patch.weight, rounded(corner, 0)));
-    bodies.push_back(std::move(body));
-    return;
-  }
+void PairGeometry3::add_patch(const Occluders3& occluders, const KnownPatch3& known) {
+  const Patch3& patch = *known.patch;
+  Body body{{}, &known.normal, known.rounded_normal, patch.surface};
+  body.corners.reserve(patch.corners.size());
   const std::size_t others = points.size();
-  for (const IntegerVector& corner : patch.corners) {
-    VertexId3 same = VertexId3::none();
-    if (!patch.is_sky())
-      for (const VertexId3 v : occluders.outline(patch.surface))
-        if (is_at_vertex_3(corner, patch.weight, occluders.vertices().exact(v))) same = v;
-    if (!same.is_none()) {
+  const double weight = known.weight;
+  for (std::size_t k = 0; k < patch.corners.size(); ++k) {
+    const IntegerVector& corner = patch.corners[k];
+    if (patch.is_far()) {
+      body.corners.push_back(add_point(corner, patch.weight, known.approximate[k], weight));
+      continue;
+    }
+    if (const VertexId3 same = known.vertices[k]; !same.is_none()) {
       body.corners.push_back(vertex(occluders, same));
       continue;
     }
-    const BoundedVector approximate = rounded(corner, shift_);
-    const double weight = truncated_double(patch.weight);
+    const BoundedVector approximate = shift_ == 0 ? known.approximate[k] : rounded(corner, shift_);
     const auto may_be_same = [&](const Point& p) {
       const double slack = 1e-9 * (weight * p.approximate.size + p.approximate_weight * approximate.size);
       // Not a number where weights are infinite: then all may be.
@@ -73,28 +85,50 @@ void PairGeometry3::add_patch(const Occluders3& occluders, const Patch3& patch) 
     const auto is_same = [&](const Point& p) {
       return may_be_same(p) && is_at_vertex_3(multiple(p.weight(), corner), patch.weight, p.exact());
     };
-    const auto known = std::find_if(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(others), is_same);
-    body.corners.push_back(known == points.begin() + static_cast<std::ptrdiff_t>(others)
-                               ? add_point(corner, patch.weight, approximate)
-                               : static_cast<std::uint32_t>(known - points.begin()));
+    const auto found = std::find_if(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(others), is_same);
+    body.corners.push_back(found == points.begin() + static_cast<std::ptrdiff_t>(others)
+                               ? add_point(corner, patch.weight, approximate, weight)
+                               : static_cast<std::uint32_t>(found - points.begin()));
   }
-  normal = primitive(normal_of(patch));
-  body.normal = rounded(normal, std::max(0L, bits(normal) - 53));
   bodies.push_back(std::move(body));
 }
 
-std::uint32_t PairGeometry3::add(const Occluders3& occluders, std::uint32_t surface) {
+std::uint32_t PairGeometry3::begin_body(const Occluders3& occluders, std::uint32_t surface) {
   const auto number = static_cast<std::uint32_t>(bodies.size());
-  Body body{{}, &occluders.exact_normal(surface), occluders.normal(surface), surface};
-  for (const VertexId3 v : occluders.outline(surface)) body.corners.push_back(vertex(occluders, v));
-  bodies.push_back(std::move(body));
+  const auto outline = occluders.outline(surface);
+  Body& body = bodies.emplace_back(Body{{}, &occluders.exact_normal(surface), occluders.normal(surface), surface});
+  body.corners.swap(spare_corners);
+  body.corners.clear();
+  body.corners.reserve(outline.size());
+  for (const VertexId3 v : outline) body.corners.push_back(vertex(occluders, v));
+  return number;
+}
+
+std::uint32_t PairGeometry3::add(const Occluders3& occluders, std::uint32_t surface) {
+  const std::uint32_t number = begin_body(occluders, surface);
   of_body.push_back({side_of_body(number, 0), side_of_body(number, 1)});
   of_patch.push_back({side_of_body(0, number), side_of_body(1, number)});
   return number;
 }
 
+bool PairGeometry3::add_between(const Occluders3& occluders, std::uint32_t surface) {
+  const std::uint32_t number = begin_body(occluders, surface);
+  const Side beside_first = side_of_body(number, 0);
+  const Side beside_second = beside_first.has_front ? side_of_body(number, 1) : Side{};
+  if (beside_second.has_front) {
+    const Side first = side_of_body(0, number), second = side_of_body(1, number);
+    if ((first.has_front && second.has_behind) || (first.has_behind && second.has_front)) {
+      of_body.push_back({beside_first, beside_second});
+      of_patch.push_back({first, second});
+      return true;
+    }
+  }
+  take_away_last(bodies);
+  return false;
+}
+
 void PairGeometry3::drop_last() {
-  bodies.pop_back();
+  take_away_last(bodies);
   of_body.pop_back();
   of_patch.pop_back();
 }

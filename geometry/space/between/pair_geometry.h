@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "geometry/space/arrangement/occluders.h"
 #include "geometry/space/arrangement/patch.h"
+#include "geometry/space/between/known_patch.h"
+#include "geometry/space/between/vertex_numbers.h"
 #include "geometry/space/hiding/convex_bodies.h"
 #include "geometry/space/visibility/direction.h"
 
@@ -70,13 +72,17 @@ struct PairGeometry3 {
   std::vector<std::array<Side, 2>> of_body{{}, {}};   // body k beside the planes of the patches
   std::vector<std::array<Side, 2>> of_patch{{}, {}};  // the patches beside the plane of body k
 
-  // Takes two patches: sets points, bodies and patch_sides. REQUIRES: occluders and patches outlive this.
+  // Takes two patches: sets points, bodies and patch_sides. REQUIRES: occluders and patches, known ones too, outlive
+  // this.
+  PairGeometry3(const Occluders3& occluders, const KnownPatch3& i, const KnownPatch3& j);
   PairGeometry3(const Occluders3& occluders, const Patch3& i, const Patch3& j);
   PairGeometry3(const PairGeometry3&) = delete;  // bodies point to what is kept here
   PairGeometry3& operator=(const PairGeometry3&) = delete;
 
   // Adds a surface; `of_body` and `of_patch` are set for it. Returns its number.
   std::uint32_t add(const Occluders3& occluders, std::uint32_t surface);
+  // The same where it is in front of both patches, and between their planes. Else only its points are added: false.
+  bool add_between(const Occluders3& occluders, std::uint32_t surface);
   // Takes the last one away.
   void drop_last();
   // Adds a convex body of which some surfaces are among the bodies; the others come after all that may stand between.
@@ -86,6 +92,8 @@ struct PairGeometry3 {
   std::uint32_t end_of_between() const { return solids.empty() ? count() : end_of_between_; }
   std::uint32_t count() const { return static_cast<std::uint32_t>(bodies.size()); }
   const Vertices3& vertices() const { return *vertices_; }
+  // The patches.
+  const KnownPatch3& known(std::uint32_t patch) const { return *known_[patch]; }
   // The doubles of points are multiplied with 2^-shift().
   long shift() const { return shift_; }
   // Where a point is, in the unit of these doubles, however long its numbers are; of a far one its direction.
@@ -110,16 +118,23 @@ struct PairGeometry3 {
   void set_ways(std::uint32_t p, std::span<const std::uint32_t> others, std::vector<BoundedVector>& ways) const;
 
  private:
-  std::uint32_t add_point(const IntegerVector& exact, const Integer& weight, const BoundedVector& approximate);
+  struct OwnPatches {
+    KnownPatch3 i, j;
+  };
+  PairGeometry3(const Occluders3& occluders, std::unique_ptr<const OwnPatches> own);
+  std::uint32_t add_point(const IntegerVector& exact, const Integer& weight, const BoundedVector& approximate,
+                          double approximate_weight);
   std::uint32_t vertex(const Occluders3& occluders, VertexId3 v);
-  void add_patch(const Occluders3& occluders, const Patch3& patch);
+  void add_patch(const Occluders3& occluders, const KnownPatch3& known);
+  std::uint32_t begin_body(const Occluders3& occluders, std::uint32_t surface);
   Side side_of_body(std::uint32_t body, std::uint32_t other) const;
   BoundedVector way(std::uint32_t p, std::uint32_t q) const;
   IntegerVector exact_way(std::uint32_t p, std::uint32_t q) const;
 
   const Vertices3* vertices_;
-  std::unordered_map<std::int32_t, std::uint32_t> vertex_numbers_;
-  std::array<IntegerVector, 2> patch_normals_;
+  std::array<const KnownPatch3*, 2> known_;
+  VertexNumbers3 vertex_numbers_;          // of points
+  std::unique_ptr<const OwnPatches> own_;  // null where known ones were given
   std::uint32_t end_of_between_ = 0;
   long shift_ = 0;
 };

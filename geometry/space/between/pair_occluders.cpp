@@ -10,42 +10,71 @@ namespace {
 constexpr double kSlack = 1e-9;
 constexpr double kSureNormal = 1e-11;  // of which the error is that part of it
 
-Box3 box_of(const Vertices3& vertices, const Patch3& patch) {
-  Box3 box;
-  for (const IntegerVector& corner : patch.corners) {
-    const auto place = [&](const Integer& value) { return rounded_quotient(value, patch.weight, vertices.shift()); };
-    BoundedVector p{place(corner.x), place(corner.y), place(corner.z)};
-    p.size = std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-    p.error = 0x1p-50 * p.size;
-    box.include(p);
-  }
-  return box;
+// Whether a surface has a corner in front of a patch. What is not told of a patch counts as such.
+bool is_before(const Occluders3& occluders, std::uint32_t surface, const KnownPatch3& patch) {
+  const auto corners = occluders.outline(surface);
+  return patch.turn == 0 || std::any_of(corners.begin(), corners.end(), [&](VertexId3 v) {
+           SignTier tier;
+           return occluders.side_of(v, patch.patch->surface, tier) * patch.turn > 0;
+         });
 }
 
 }  // namespace
+
+PairOccluders3::PairOccluders3(const Occluders3& occluders, const SurfaceBoxes3& boxes, const KnownPatch3& i,
+                               const KnownPatch3& j, FirstMet3* first_met)
+    : bodies(occluders, i, j),
+      reach_(boxes.reach()),
+      solids_(first_met == nullptr ? nullptr : &first_met->hiders().bodies()) {
+  find_between(occluders, boxes, first_met);
+}
 
 PairOccluders3::PairOccluders3(const Occluders3& occluders, const SurfaceBoxes3& boxes, const Patch3& i,
                                const Patch3& j, FirstMet3* first_met)
     : bodies(occluders, i, j),
       reach_(boxes.reach()),
       solids_(first_met == nullptr ? nullptr : &first_met->hiders().bodies()) {
+  find_between(occluders, boxes, first_met);
+}
+
+void PairOccluders3::find_between(const Occluders3& occluders, const SurfaceBoxes3& boxes, FirstMet3* first_met) {
   bodies.hides_joined = first_met != nullptr;
-  if (!can_see(i, j)) return;
-  find_hull(occluders.vertices());
-  Box3 box = box_of(occluders.vertices(), i);
-  if (!j.is_far()) box.include(box_of(occluders.vertices(), j));
-  const auto is_near = [&](const Box3& other) {
-    return (j.is_far() || box.meets(other)) &&
-           std::none_of(half_spaces.begin(), half_spaces.end(), [&](const HullHalfSpace3& half) {
-             const Direction3 highest{half.x > 0 ? other.high[0] : other.low[0],
-                                      half.y > 0 ? other.high[1] : other.low[1],
-                                      half.z > 0 ? other.high[2] : other.low[2]};
-             return half.height(highest) < 0;
-           });
+  if (!can_see()) return;
+  const KnownPatch3 &i = bodies.known(0), &j = bodies.known(1);
+  const bool is_far = j.patch->is_far();
+  Box3 box = i.box;
+  if (!is_far) box.include(j.box);
+  const auto is_other = [&](std::uint32_t surface) {
+    return surface != i.patch->surface && surface != j.patch->surface;
   };
-  std::vector<std::uint32_t> near;
-  boxes.find_where(is_near, near);
-  std::erase_if(near, [&](std::uint32_t surface) { return surface == i.surface || surface == j.surface; });
+  thread_local std::vector<std::uint32_t> near;
+  near.clear();
+  if (!is_far) {
+    boxes.find(box, near);
+    std::erase_if(near, [&](std::uint32_t surface) { return !is_other(surface); });
+    // Where nothing in the box around both is in front of both, no hull is needed.
+    const auto is_in_front = [&](std::uint32_t surface) {
+      return is_before(occluders, surface, i) && is_before(occluders, surface, j);
+    };
+    if (std::none_of(near.begin(), near.end(), is_in_front)) {
+      sight = PairVisibility3::kClear;
+      return;
+    }
+  }
+  find_hull(occluders.vertices());
+  const auto is_near = [&](const Box3& other) {
+    return std::none_of(half_spaces.begin(), half_spaces.end(), [&](const HullHalfSpace3& half) {
+      const Direction3 highest{half.x > 0 ? other.high[0] : other.low[0], half.y > 0 ? other.high[1] : other.low[1],
+                               half.z > 0 ? other.high[2] : other.low[2]};
+      return half.height(highest) < 0;
+    });
+  };
+  if (is_far) {
+    boxes.find_where(is_near, near);
+    std::erase_if(near, [&](std::uint32_t surface) { return !is_other(surface); });
+  } else {
+    std::erase_if(near, [&](std::uint32_t surface) { return !is_near(boxes.of(surface)); });
+  }
   std::sort(near.begin(), near.end());
   if (first_met != nullptr) {
     const auto stays = [first_met](std::uint32_t surface) { return !first_met->is_never_first(surface); };
@@ -60,7 +89,7 @@ PairOccluders3::PairOccluders3(const Occluders3& occluders, const PairOccluders3
                                const Patch3& j)
     : bodies(occluders, i, j), left_out(whole.left_out), reach_(whole.reach_), solids_(whole.solids_) {
   bodies.hides_joined = whole.bodies.hides_joined;
-  if (!can_see(i, j)) return;
+  if (!can_see()) return;
   find_hull(occluders.vertices());
   std::vector<std::uint32_t> near;
   for (std::uint32_t body = 2; body < whole.bodies.end_of_between(); ++body)
@@ -68,15 +97,17 @@ PairOccluders3::PairOccluders3(const Occluders3& occluders, const PairOccluders3
   add_bodies(occluders, near);
 }
 
-bool PairOccluders3::can_see(const Patch3& i, const Patch3& j) const {
+bool PairOccluders3::can_see() const {
+  const Patch3 &i = *bodies.known(0).patch, &j = *bodies.known(1).patch;
   if (i.surface == j.surface && !i.is_sky()) return false;
   return bodies.patch_sides[0].has_front && bodies.patch_sides[1].has_front;
 }
 
 void PairOccluders3::add_bodies(const Occluders3& occluders, std::span<const std::uint32_t> near) {
   for (const std::uint32_t surface : near) {
-    const std::uint32_t body = bodies.add(occluders, surface);
-    if (!may_stand_between(body))
+    if (!bodies.add_between(occluders, surface)) continue;
+    const std::uint32_t body = bodies.count() - 1;
+    if (is_beside_hull(body))
       bodies.drop_last();
     else if (hides_all(body))
       return;

@@ -46,6 +46,8 @@ struct PairOccluders3 {
   std::vector<std::uint32_t> left_out;
 
   // Takes all surfaces whose boxes are near the hull; without those that `first_met` says, where it is not null.
+  PairOccluders3(const Occluders3& occluders, const SurfaceBoxes3& boxes, const KnownPatch3& i, const KnownPatch3& j,
+                 FirstMet3* first_met = nullptr);
   PairOccluders3(const Occluders3& occluders, const SurfaceBoxes3& boxes, const Patch3& i, const Patch3& j,
                  FirstMet3* first_met = nullptr);
   // The setting of parts of two patches: takes what stands between the whole patches.
@@ -54,7 +56,8 @@ struct PairOccluders3 {
   std::size_t count_between() const { return bodies.end_of_between() - 2; }
 
  private:
-  bool can_see(const Patch3& i, const Patch3& j) const;
+  bool can_see() const;
+  void find_between(const Occluders3& occluders, const SurfaceBoxes3& boxes, FirstMet3* first_met);
   void find_hull(const Vertices3& vertices);
   void add_bodies(const Occluders3& occluders, std::span<const std::uint32_t> near);
   void keep_left_out_at_lines(const Occluders3& occluders);

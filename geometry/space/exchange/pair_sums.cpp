@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <mutex>
@@ -67,6 +68,39 @@ class RowsAtHand {
   std::vector<Row> idle_;
 };
 
+// What is known of the patches of a table, each made when it is first asked for. For several threads at once.
+class PatchesAtHand {
+ public:
+  PatchesAtHand(const PairIntegrator3& measurer, const std::vector<Part>& parts)
+      : measurer_(measurer), parts_(parts), known_(std::min(parts.size(), kMost)) {}
+  ~PatchesAtHand() {
+    for (const std::atomic<const PairPatch3*>& one : known_) delete one.load(std::memory_order_relaxed);
+  }
+  PatchesAtHand(const PatchesAtHand&) = delete;
+  PatchesAtHand& operator=(const PatchesAtHand&) = delete;
+
+  // Visits that of a part; of one that is not of the table, or behind the first ones, it is made for this alone.
+  template <class Visit>
+  auto with(const Part& part, const Visit& visit) {
+    const bool is_listed = !std::less<>()(&part, parts_.data()) && std::less<>()(&part, parts_.data() + known_.size());
+    if (!is_listed) return visit(PairPatch3(measurer_, part.patch));
+    std::atomic<const PairPatch3*>& place = known_[static_cast<std::size_t>(&part - parts_.data())];
+    const PairPatch3* known = place.load(std::memory_order_acquire);
+    if (known == nullptr) {
+      auto made = std::make_unique<const PairPatch3>(measurer_, part.patch);
+      if (place.compare_exchange_strong(known, made.get(), std::memory_order_acq_rel)) known = made.release();
+    }
+    return visit(*known);
+  }
+
+ private:
+  static constexpr std::size_t kMost = 1 << 14;  // some 20 megabytes
+
+  const PairIntegrator3& measurer_;
+  const std::vector<Part>& parts_;
+  std::vector<std::atomic<const PairPatch3*>> known_;
+};
+
 // Adds what was looked at for a pair, or for those of a report.
 template <class Counts>
 void add_work(const Counts& some, ExchangeReport3& report) {
@@ -88,6 +122,7 @@ class Measuring {
         request_(request),
         tasks_(table),
         rows_(prepared.measurer()),
+        patches_(prepared.measurer(), table.parts()),
         shares_(table, prepared.occluders().vertices(), request.tolerance) {}
 
   const Tasks& tasks() const { return tasks_; }
@@ -137,7 +172,8 @@ class Measuring {
   }
 
   void measure(PairRow3& row, const Part& a, const Part& b, Found& found, ExchangeReport3& counts) const {
-    const PairResult3 pair = row.measure(b.patch, request_of(a, b, Effort3::kUsual));
+    const PairResult3 pair = patches_.with(
+        b, [&](const PairPatch3& known) { return row.measure(known, request_of(a, b, Effort3::kUsual)); });
     ++(pair.sight == PairVisibility3::kHidden  ? counts.hidden
        : pair.sight == PairVisibility3::kClear ? counts.clear
                                                : counts.mixed);
@@ -199,6 +235,7 @@ class Measuring {
   const PairSumRequest3& request_;
   const Tasks tasks_;
   mutable RowsAtHand rows_;
+  mutable PatchesAtHand patches_;
   const PairShares3 shares_;
 };
 

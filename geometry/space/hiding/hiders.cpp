@@ -376,6 +376,11 @@ class Hiders3::Proof {
 
   // Whether a patch is within a body and looks into it, and the other one is outside one of its planes.
   bool looks_into(int of, const Body& body) const {
+    // Most patches are clearly outside of a plane.
+    const auto is_outside_of = [&](const Plane& plane) {
+      return std::ranges::any_of(patches_[of]->corners, [&](const Direction3& p) { return plane.height(p) > deep_; });
+    };
+    if (std::ranges::any_of(body.planes, is_outside_of)) return false;
     for (std::uint32_t k = 0; k < body.planes.size(); ++k) {
       const Sides found = sides(of, body.exact->planes[k], body.planes[k]);
       if (found.has_outside) return false;
@@ -468,8 +473,9 @@ class Hiders3::Proof {
                          [&](const Direction3& p) { return is_so(body.lid->height(p)); });
     };
     const auto is_deep = [this](double height) { return height < -deep_; };
+    if (!all_meet(body, a, b, true)) return false;
     const bool within = are_within_lid(number) || (all_heights(a, is_deep) && all_heights(b, is_deep));
-    if (!all_meet(body, a, b, within)) return false;
+    if (!within && !all_meet(body, a, b, false)) return false;
     if (within)
       return is_outside(0, number) || is_outside(1, number) || body.is_apart_from(a, deep_) ||
              body.is_apart_from(b, deep_);

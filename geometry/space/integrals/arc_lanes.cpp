@@ -107,17 +107,29 @@ bool sum_of_arcs_in_lanes(std::span<const SeenArc3> arcs, std::span<const Moving
   Lanes3 spread{};
   for (const VectorLanes3& corner : at) raise_spread(corner, at[0], spread);
   const auto is_close = [](double square) { return square < detail::kCloseCorners * detail::kCloseCorners; };
-  const bool are_close = is_close(spread[0]);
-  if (!std::ranges::all_of(spread, [&](double square) { return is_close(square) == are_close; })) return false;
+  const bool are_close = std::ranges::all_of(spread, is_close), are_wide = std::ranges::none_of(spread, is_close);
   if (!are_close && !set_all_units(planes, from, offsets, normals)) return false;
-  sums = {};
-  for (const SeenArc3& arc : arcs)
-    if (are_close)
-      add_arc(arc.count / 2, at[arc.begin], at[arc.end], at[0], sums);
-    else
-      add_wide_arc(arc.count, arc.turn, at[arc.begin], at[arc.end], normals[arc.plane], sums);
+  const auto add_all = [&](bool by_differences, VectorLanes3& sum) {
+    sum = {};
+    for (const SeenArc3& arc : arcs)
+      if (by_differences)
+        add_arc(arc.count / 2, at[arc.begin], at[arc.end], at[0], sum);
+      else
+        add_wide_arc(arc.count, arc.turn, at[arc.begin], at[arc.end], normals[arc.plane], sum);
+  };
+  add_all(are_close, sums);
+  if (!are_close && !are_wide) {
+    VectorLanes3 by_differences;
+    add_all(true, by_differences);
+    for (std::size_t k = 0; k < kLanes3; ++k) {
+      if (!is_close(spread[k])) continue;
+      sums.x[k] = by_differences.x[k];
+      sums.y[k] = by_differences.y[k];
+      sums.z[k] = by_differences.z[k];
+    }
+  }
   const double all = detail::kArcRounding<double> * static_cast<double>(arcs.size());
-  for (std::size_t k = 0; k < kLanes3; ++k) rounding[k] = all * (are_close ? std::sqrt(spread[k]) : 1.0);
+  for (std::size_t k = 0; k < kLanes3; ++k) rounding[k] = all * (is_close(spread[k]) ? std::sqrt(spread[k]) : 1.0);
   return true;
 }
 

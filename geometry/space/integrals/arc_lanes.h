@@ -22,11 +22,12 @@ struct VectorLanes3 {
 // What sum_of_arcs() gives of `arcs` between unit vectors along `corners`, on planes with normals along `planes`, at t
 // = from + offset for each of the offsets, and what it may have lost at most.
 //
-//   (1) all corners are close to each other at all these points, or at none of them, and no vector is zero: the numbers
-//       are those of sum_of_arcs(), bit for bit, on every processor
+//   (1) no vector is zero: the numbers are those of sum_of_arcs(), bit for bit, on every processor. Normals matter only
+//       where corners are not close to each other at some of these points
 //   (2) else it returns false
 //
-// COST: some 10 ns a corner, 15 ns an arc; where corners are not close 10 ns a plane and 40 ns an arc.
+// COST: some 10 ns a corner, 15 ns an arc; where corners are not close 10 ns a plane and 40 ns an arc; where they are
+// at some points alone, all of it.
 bool sum_of_arcs_in_lanes(std::span<const SeenArc3> arcs, std::span<const MovingVector3> corners,
                           std::span<const MovingVector3> planes, double from, const Lanes3& offsets, VectorLanes3& sums,
                           Lanes3& rounding);

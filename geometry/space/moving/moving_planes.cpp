@@ -92,6 +92,7 @@ void MovingPlanes3::take(const Stretch3& stretch) {
   ++stretch_stamp_;
   known_zeros_.forget();
   in_face_.resize(bodies_.bodies.size());
+  told_facings_.resize(bodies_.bodies.size());
   look_from(stretch);
   unit_of_moves_ = 0;
   toward_.resize(bodies_.points.size());

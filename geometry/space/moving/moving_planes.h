@@ -265,6 +265,13 @@ class MovingPlanes3 {
   };
   std::vector<ExactToward> exact_toward_;
   KnownZeros3 known_zeros_;
+  // What facing() told of a body at this t, and how it was decided.
+  struct ToldFacing {
+    std::uint64_t stamp = 0;
+    int facing = 0;
+    SignTier tier = SignTier::kFilter;
+  };
+  std::vector<ToldFacing> told_facings_;
   std::vector<std::uint64_t> in_face_;  // of bodies: the stamp of a stretch that is in the plane of its face
   std::uint64_t stretch_stamp_ = 0;
   std::vector<Beside> beside_;

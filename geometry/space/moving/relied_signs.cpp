@@ -25,12 +25,20 @@ inline bool MovingPlanes3::is_far_from_zero(const std::array<double, 3>& c, cons
 int MovingPlanes3::facing(std::uint32_t body) {
   if (bodies_.is_far(body)) return 1;
   if (in_face_[body] == stretch_stamp_) return 0;
+  ToldFacing& told = told_facings_[body];
+  // Relied on again it narrows nothing. Where signs are kept each is as often as it was asked for.
+  if (told.stamp == stamp_ && !keeps_signs_) {
+    counts_.count(told.tier);
+    ++relied_;
+    return told.facing;
+  }
   const PairGeometry3::Body& b = bodies_.bodies[body];
   const std::uint32_t anchor = b.corners.front();
   const BoundedVector& w = toward_[anchor];
   const BoundedValue product = dot(b.normal, w);
   int sign = sign_of(product);
-  counts_.count(sign == kUndecided ? SignTier::kExact : SignTier::kFilter);
+  const SignTier tier = sign == kUndecided ? SignTier::kExact : SignTier::kFilter;
+  counts_.count(tier);
   if (sign == kUndecided) sign = sgn(exact_height(body));
   const auto exact = [&] {
     return std::array<Integer, 3>{exact_height(body), dot(b.exact_normal(), exact_drift(anchor)), 0};
@@ -47,6 +55,7 @@ int MovingPlanes3::facing(std::uint32_t body) {
   const std::array<double, 3> c{product.value, slope, 0}, e{product.error, slope_error, 0};
   if (keeps_signs_) keep(body, {c, e}, sign);
   if (!is_far_from_zero(c, e) && !narrow(c, e, sign, kJumpError)) narrow_exactly(exact(), sign);
+  told = {stamp_, -sign, tier};
   return -sign;
 }
 

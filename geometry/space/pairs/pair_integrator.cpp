@@ -6,6 +6,7 @@
 #include <iterator>
 #include <list>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -65,6 +66,11 @@ constexpr const char* kNotConverged = "the integral along edges did not converge
 
 // What is seen is not nothing, however little it is.
 constexpr double kLittle = 0x1p-200;
+
+// The smaller area of two patches; the sky has none.
+double least_area(const std::array<Enclosure, 2>& areas, const Patch3& second) {
+  return second.is_far() ? areas[0].lower : std::min(areas[0].lower, areas[1].lower);
+}
 
 // What is allowed as a part of an area; `otherwise` where the area is too small for doubles.
 double relative(double allowed, double area, double otherwise) { return area > 0 ? allowed / area : otherwise; }
@@ -285,10 +291,10 @@ struct PairIntegrator3::Prepared {
     return no_sky.has(patch.surface, dot_sign(normal_of(patch), occluders.exact_normal(patch.surface)) < 0);
   }
 
-  // A patch as one of the surface that its polygon is part of: itself where that has the same number, else `copy`.
-  const Patch3& placed(const Patch3& patch, Patch3& copy) const {
-    if (patch.is_sky() || merged.surface_of(patch.surface) == patch.surface) return patch;
-    copy = patch;
+  // A patch as one of the surface that its polygon is part of, where that has another number.
+  std::optional<Patch3> moved(const Patch3& patch) const {
+    if (patch.is_sky() || merged.surface_of(patch.surface) == patch.surface) return {};
+    Patch3 copy = patch;
     copy.surface = merged.surface_of(patch.surface);
     return copy;
   }
@@ -315,6 +321,23 @@ struct PairIntegrator3::Prepared {
   }
 };
 
+struct PairIntegrator3::Known {
+  const std::optional<Patch3> moved;
+  const Patch3& patch;  // whose surface is numbered as by MergedOccluders3
+  const KnownPatch3 known;
+  const PlacedPatch3 placed;
+  const Enclosure area;  // of a part of the sky none
+
+  Known(const Prepared& prepared, const Patch3& its)
+      : moved(prepared.moved(its)),
+        patch(moved ? *moved : its),
+        known(prepared.occluders, patch),
+        placed(prepared.hiders.placed(patch)),
+        area(patch.is_far() ? Enclosure{0, 0} : patch_area(prepared.occluders.vertices(), patch)) {}
+  Known(const Known&) = delete;  // what is known points to the patch
+  Known& operator=(const Known&) = delete;
+};
+
 // One of both patches cut in two, and how each half and the other patch are settled: null where they exchange nothing.
 struct PairIntegrator3::Halves {
   std::unique_ptr<const std::array<Patch3, 2>> patches;  // settings point into them
@@ -334,6 +357,13 @@ PairIntegrator3::~PairIntegrator3() = default;
 
 namespace {
 
+// Where walking what is between costs much, more is asked before.
+int questions_about(const PairOccluders3& setting) {
+  const std::size_t between = setting.sight == PairVisibility3::kMixed ? setting.count_between() : 0;
+  if (between < kManyBetween) return 0;
+  return static_cast<int>(std::min<std::size_t>(kQuestionsABody * between, Hiders3::kMostQuestions));
+}
+
 // Whether a pair is to be measured as it usually is.
 bool is_usual(const PairRequest3& request) {
   return !request.is_reversed && !request.always_along_edges &&
@@ -348,9 +378,7 @@ PairResult3 PairIntegrator3::measure(const Patch3& i, const Patch3& j, const Pai
   const DefaultFloatingPoint environment;
   const bool asks = is_usual(request) && request.asks_hiders;
   if (details == nullptr && asks) return PairRow3(*this, i).measure(j, request);
-  Patch3 copies[2];
-  PairResult3 result =
-      measure(prepared_->placed(i, copies[0]), prepared_->placed(j, copies[1]), request, details, nullptr);
+  PairResult3 result = measure(Known(*prepared_, i), Known(*prepared_, j), request, details, nullptr);
   if (details != nullptr && !prepared_->merged.is_plain()) prepared_->tell_polygons(*details);
   if (!asks) return result;
   // Details are of everything that may stand between; the number is that without them.
@@ -364,24 +392,39 @@ PairResult3 PairIntegrator3::measure(const Patch3& i, const Patch3& j, const Pai
   return result;
 }
 
-PairResult3 PairIntegrator3::measure(const Patch3& i, const Patch3& j, const PairRequest3& request,
-                                     PairDetails3* details, FirstMet3* first_met) const {
-  if (j.is_all_of_the_sky()) return measure_sky(i, request, details, first_met);
-  if (first_met != nullptr &&
-      ((!j.is_sky() && first_met->is_never_first(j.surface)) || are_hidden(i, j, *first_met, kFirstQuestions)))
-    return {};
-  PairRequest3 shared = request;
-  if (!shared.share) shared.share = request.tolerance * least_area(i, j);
-  const PairOccluders3 setting(prepared_->occluders, prepared_->boxes, request.is_reversed ? j : i,
-                               request.is_reversed ? i : j, first_met);
-  if (first_met != nullptr && are_hidden(setting, i, j, *first_met)) return {};
-  return measure_set(setting, i, j, shared, is_usual(request) ? kMostCuts : 0, details, first_met);
+// Not where there is no other surface in the box around both.
+bool PairIntegrator3::may_be_hidden(const Known& first, const Known& second) const {
+  if (second.patch.is_far()) return true;
+  Box3 box = first.known.box;
+  box.include(second.known.box);
+  return prepared_->boxes.is_any_but(first.patch.surface, second.patch.surface, box);
 }
 
-PairResult3 PairIntegrator3::measure_sky(const Patch3& i, const PairRequest3& request, PairDetails3* details,
+PairResult3 PairIntegrator3::measure(const Known& first, const Known& second, const PairRequest3& request,
+                                     PairDetails3* details, FirstMet3* first_met) const {
+  const Patch3 &i = first.patch, &j = second.patch;
+  if (j.is_all_of_the_sky()) return measure_sky(first, request, details, first_met);
+  const auto are_hidden_by = [&](int questions) {
+    return prepared_->hiders.hide(first.placed, second.placed, questions);
+  };
+  if (first_met != nullptr && may_be_hidden(first, second) &&
+      ((!j.is_sky() && first_met->is_never_first(j.surface)) || are_hidden_by(kFirstQuestions)))
+    return {};
+  const Areas areas{first.area, second.area};
+  PairRequest3 shared = request;
+  if (!shared.share) shared.share = request.tolerance * least_area(areas, j);
+  const PairOccluders3 setting(prepared_->occluders, prepared_->boxes, request.is_reversed ? second.known : first.known,
+                               request.is_reversed ? first.known : second.known, first_met);
+  if (first_met != nullptr)
+    if (const int questions = questions_about(setting); questions > 0 && are_hidden_by(questions)) return {};
+  return measure_set(setting, i, j, areas, shared, is_usual(request) ? kMostCuts : 0, details, first_met);
+}
+
+PairResult3 PairIntegrator3::measure_sky(const Known& first, const PairRequest3& request, PairDetails3* details,
                                          FirstMet3* first_met) const {
+  const Patch3& i = first.patch;
   if (is_usual(request) && request.asks_hiders && prepared_->sees_no_sky(i)) return {};
-  const Enclosure area = patch_area(prepared_->occluders.vertices(), i);
+  const Enclosure& area = first.area;
   const double allowed = request.share.value_or(request.tolerance * area.lower);
   const std::vector<Patch3> cones = sky_cones(i);
   bool is_any_clear = false, is_any_hidden = false;
@@ -393,8 +436,9 @@ PairResult3 PairIntegrator3::measure_sky(const Patch3& i, const PairRequest3& re
     // Half of what is allowed goes to all alike.
     PairRequest3 part = request;
     part.share = allowed / 2 * (std::min(1.0, alone.upper / area.upper) + 1 / static_cast<double>(cones.size()));
-    const PairOccluders3 setting(prepared_->occluders, prepared_->boxes, i, cone, first_met);
-    const PairResult3 found = measure_set(setting, i, cone, part, kMostCuts, details, first_met);
+    const KnownPatch3 known(prepared_->occluders, cone);
+    const PairOccluders3 setting(prepared_->occluders, prepared_->boxes, first.known, known, first_met);
+    const PairResult3 found = measure_set(setting, i, cone, {area, {0, 0}}, part, kMostCuts, details, first_met);
     (found.sight == PairVisibility3::kHidden ? is_any_hidden : is_any_clear) = true;
     sum.sight = std::max(sum.sight, found.sight);
     add_part(found, sum);
@@ -406,35 +450,26 @@ PairResult3 PairIntegrator3::measure_sky(const Patch3& i, const PairRequest3& re
   return sum;
 }
 
-bool PairIntegrator3::are_hidden(const Patch3& i, const Patch3& j, const FirstMet3& first_met, int questions) const {
+bool PairIntegrator3::are_hidden(const Patch3& i, const Patch3& j, int questions) const {
   const Hiders3& hiders = prepared_->hiders;
-  return hiders.hide(&i == &first_met.patch() ? first_met.placed() : hiders.placed(i), hiders.placed(j), questions);
-}
-
-// Where walking what is between costs much, more is asked before.
-bool PairIntegrator3::are_hidden(const PairOccluders3& setting, const Patch3& i, const Patch3& j,
-                                 const FirstMet3& first_met) const {
-  const std::size_t between = setting.sight == PairVisibility3::kMixed ? setting.count_between() : 0;
-  if (between < kManyBetween) return false;
-  const auto questions = static_cast<int>(std::min<std::size_t>(kQuestionsABody * between, Hiders3::kMostQuestions));
-  return are_hidden(i, j, first_met, questions);
+  return hiders.hide(hiders.placed(i), hiders.placed(j), questions);
 }
 
 PairResult3 PairIntegrator3::measure_set(const PairOccluders3& setting, const Patch3& i, const Patch3& j,
-                                         const PairRequest3& request, int cuts, PairDetails3* details,
-                                         const FirstMet3* first_met) const {
+                                         const Areas& areas, const PairRequest3& request, int cuts,
+                                         PairDetails3* details, const FirstMet3* first_met) const {
   const bool is_mixed = setting.sight == PairVisibility3::kMixed;
   // A cone of the sky is cut nowhere: from all of its parts most of what stands about is seen.
   if (is_mixed && cuts > 0 && !j.is_far() && setting.count_between() > kMostBetween)
     if (const std::unique_ptr<Halves> halves = worthwhile_halves(setting, i, j, first_met))
-      if (PairResult3 sum = measure_halves(*halves, i, j, request, cuts, first_met); sum.problem.empty()) {
-        if (details != nullptr) measure_along(setting, i, j, request, details);
+      if (PairResult3 sum = measure_halves(*halves, i, j, areas, request, cuts, first_met); sum.problem.empty()) {
+        if (details != nullptr) measure_along(setting, i, j, areas, request, details);
         return sum;
       }
-  PairResult3 whole = measure_along(setting, i, j, request, details);
+  PairResult3 whole = measure_along(setting, i, j, areas, request, details);
   const bool may_cut = request.effort == Effort3::kAll && cuts > kMostCuts - kCutsWhereItFails;
   if (!is_mixed || whole.problem.empty() || !may_cut) return whole;
-  PairResult3 halves = measure_halves(cheaper_halves(setting, i, j, first_met), i, j, request, cuts, first_met);
+  PairResult3 halves = measure_halves(cheaper_halves(setting, i, j, first_met), i, j, areas, request, cuts, first_met);
   const auto rank = [](const PairResult3& a) { return std::tuple(a.is_undecided, !a.problem.empty(), a.error); };
   PairResult3& better = rank(halves) < rank(whole) ? halves : whole;
   if (better.problem.empty() || better.is_undecided || cuts < kMostCuts) return better;
@@ -442,7 +477,7 @@ PairResult3 PairIntegrator3::measure_set(const PairOccluders3& setting, const Pa
   for (const double part : kCloserShares) {
     PairRequest3 closer = request;
     closer.share = *request.share * part;
-    PairResult3 again = measure_along(setting, i, j, closer, nullptr);
+    PairResult3 again = measure_along(setting, i, j, areas, closer, nullptr);
     if (again.problem.empty()) return again;
   }
   return better;
@@ -450,8 +485,8 @@ PairResult3 PairIntegrator3::measure_set(const PairOccluders3& setting, const Pa
 
 std::size_t PairIntegrator3::count_between(const Patch3& i, const Patch3& j) const {
   const DefaultFloatingPoint environment;
-  Patch3 copies[2];
-  const Patch3 &first = prepared_->placed(i, copies[0]), &second = prepared_->placed(j, copies[1]);
+  const std::optional<Patch3> moved[] = {prepared_->moved(i), prepared_->moved(j)};
+  const Patch3 &first = moved[0] ? *moved[0] : i, &second = moved[1] ? *moved[1] : j;
   const auto count = [&](const Patch3& other) {
     const PairOccluders3 setting(prepared_->occluders, prepared_->boxes, first, other);
     return setting.sight == PairVisibility3::kMixed ? setting.count_between() : 0;
@@ -467,7 +502,7 @@ PairIntegrator3::Halves PairIntegrator3::halves(const PairOccluders3& setting, c
   Halves halves{std::make_unique<const std::array<Patch3, 2>>(halves_of(cuts_first ? i : j)), {}, cuts_first, 0};
   for (std::size_t k = 0; k < 2; ++k) {
     const auto [a, b] = halves.pair(k, i, j);
-    if (first_met != nullptr && are_hidden(a, b, *first_met, Hiders3::kMostQuestions)) continue;
+    if (first_met != nullptr && are_hidden(a, b, Hiders3::kMostQuestions)) continue;
     auto of_half = std::make_unique<const PairOccluders3>(prepared_->occluders, setting, a, b);
     if (of_half->sight == PairVisibility3::kHidden) continue;  // S = 0, and S0 where one does not face the other
     halves.work += work_between(of_half->count_between());
@@ -523,9 +558,9 @@ std::unique_ptr<PairIntegrator3::Halves> PairIntegrator3::worthwhile_halves(cons
   return nullptr;
 }
 
-PairResult3 PairIntegrator3::measure_halves(const Halves& halves, const Patch3& i, const Patch3& j,
+PairResult3 PairIntegrator3::measure_halves(const Halves& halves, const Patch3& i, const Patch3& j, const Areas& whole,
                                             const PairRequest3& request, int cuts, const FirstMet3* first_met) const {
-  const double allowed = *request.share, tolerance = relative(allowed, least_area(i, j), request.tolerance);
+  const double allowed = *request.share, tolerance = relative(allowed, least_area(whole, j), request.tolerance);
   PairResult3 sum;
   sum.sight = PairVisibility3::kMixed;
   sum.is_whole = true;
@@ -536,46 +571,55 @@ PairResult3 PairIntegrator3::measure_halves(const Halves& halves, const Patch3& 
       if (sides[0].has_front && sides[1].has_front) sum.is_whole = false;  // else S0 = 0
       continue;
     }
+    const Areas of_parts = areas(a, b);
     PairRequest3 part = request;
-    part.share = std::max(allowed / 2, tolerance / 8 * least_area(a, b));
-    add_part(measure_set(*halves.settings[k], a, b, part, cuts - 1, nullptr, first_met), sum);
+    part.share = std::max(allowed / 2, tolerance / 8 * least_area(of_parts, b));
+    add_part(measure_set(*halves.settings[k], a, b, of_parts, part, cuts - 1, nullptr, first_met), sum);
     if (sum.is_undecided) return sum;
   }
-  end_sum(sum.is_whole ? measure_alone(i, j, tolerance / 4, Effort3::kAll) : UnobstructedMeasure3{}, allowed, sum);
+  end_sum(sum.is_whole ? measure_alone(i, j, whole, tolerance / 4, Effort3::kAll) : UnobstructedMeasure3{}, allowed,
+          sum);
   return sum;
 }
 
-PairRow3::PairRow3(const PairIntegrator3& measurer, const Patch3& i) : measurer_(&measurer) {
-  Patch3 copy;
+PairPatch3::PairPatch3(const PairIntegrator3& measurer, const Patch3& patch)
+    : known_(std::make_unique<const PairIntegrator3::Known>(*measurer.prepared_, patch)) {}
+PairPatch3::~PairPatch3() = default;
+PairPatch3::PairPatch3(PairPatch3&&) noexcept = default;
+PairPatch3& PairPatch3::operator=(PairPatch3&&) noexcept = default;
+
+PairRow3::PairRow3(const PairIntegrator3& measurer, const Patch3& i) : measurer_(&measurer), first_(measurer, i) {
   const PairIntegrator3::Prepared& prepared = *measurer.prepared_;
-  first_met_ = std::make_unique<FirstMet3>(prepared.hiders, prepared.placed(i, copy), prepared.occluders.size());
+  first_met_ = std::make_unique<FirstMet3>(prepared.hiders, first_.known_->patch, prepared.occluders.size());
 }
 PairRow3::~PairRow3() = default;
 PairRow3::PairRow3(PairRow3&&) noexcept = default;
 PairRow3& PairRow3::operator=(PairRow3&&) noexcept = default;
 
 PairResult3 PairRow3::measure(const Patch3& j, const PairRequest3& request) {
+  return measure(PairPatch3(*measurer_, j), request);
+}
+
+PairResult3 PairRow3::measure(const PairPatch3& j, const PairRequest3& request) {
   const DefaultFloatingPoint environment;
-  Patch3 copy;
   const bool asks = is_usual(request) && request.asks_hiders;
-  return measurer_->measure(first_met_->patch(), measurer_->prepared_->placed(j, copy), request, nullptr,
-                            asks ? first_met_.get() : nullptr);
+  return measurer_->measure(*first_.known_, *j.known_, request, nullptr, asks ? first_met_.get() : nullptr);
 }
 
-UnobstructedMeasure3 PairIntegrator3::measure_alone(const Patch3& i, const Patch3& j, double tolerance,
-                                                    Effort3 effort) const {
+UnobstructedMeasure3 PairIntegrator3::measure_alone(const Patch3& i, const Patch3& j, const Areas& areas,
+                                                    double tolerance, Effort3 effort) const {
   const Vertices3& vertices = prepared_->occluders.vertices();
-  return j.is_far() ? unobstructed_sky(vertices, i, j) : unobstructed_measure(vertices, i, j, tolerance, effort);
+  return j.is_far() ? unobstructed_sky(vertices, i, j) : unobstructed_measure(vertices, i, j, areas, tolerance, effort);
 }
 
-double PairIntegrator3::least_area(const Patch3& i, const Patch3& j) const {
+PairIntegrator3::Areas PairIntegrator3::areas(const Patch3& i, const Patch3& j) const {
   const Vertices3& vertices = prepared_->occluders.vertices();
-  if (j.is_far()) return patch_area(vertices, i).lower;
-  return std::min(patch_area(vertices, i).lower, patch_area(vertices, j).lower);
+  return {patch_area(vertices, i), j.is_far() ? Enclosure{0, 0} : patch_area(vertices, j)};
 }
 
 PairResult3 PairIntegrator3::measure_along(const PairOccluders3& setting, const Patch3& i, const Patch3& j,
-                                           const PairRequest3& request, PairDetails3* details) const {
+                                           const Areas& areas, const PairRequest3& request,
+                                           PairDetails3* details) const {
   const bool is_reversed = request.is_reversed && !j.is_far();
   const Patch3 &first = is_reversed ? j : i, &second = is_reversed ? i : j;
   const Occluders3& occluders = prepared_->occluders;
@@ -584,12 +628,12 @@ PairResult3 PairIntegrator3::measure_along(const PairOccluders3& setting, const 
   if (details) tell_between(setting, *details);
   if (setting.sight == PairVisibility3::kHidden) return result;
   const double allowed = *request.share;
-  const double tolerance = relative(allowed, least_area(i, j), request.tolerance) / 4;
+  const double tolerance = relative(allowed, least_area(areas, j), request.tolerance) / 4;
   if (setting.sight == PairVisibility3::kClear && !request.always_along_edges) {
-    take_alone(measure_alone(i, j, tolerance, Effort3::kAll), allowed, result);
+    take_alone(measure_alone(i, j, areas, tolerance, Effort3::kAll), allowed, result);
     return result;
   }
-  const UnobstructedMeasure3 alone = measure_alone(i, j, tolerance, Effort3::kUsual);
+  const UnobstructedMeasure3 alone = measure_alone(i, j, areas, tolerance, Effort3::kUsual);
   if (alone.has_converged) result.alone = alone.measure;
   const long shift = occluders.vertices().shift();
   const MomentOrigin3 origin(setting.bodies, request.origin_shift, shift);
@@ -609,7 +653,7 @@ PairResult3 PairIntegrator3::measure_along(const PairOccluders3& setting, const 
     return result;
   }
   if (result.is_whole && !request.always_along_edges) {
-    take_alone(alone.has_converged ? alone : measure_alone(i, j, tolerance, Effort3::kAll), allowed, result);
+    take_alone(alone.has_converged ? alone : measure_alone(i, j, areas, tolerance, Effort3::kAll), allowed, result);
     return result;
   }
   FinerSums sums(setting, origin, shift, sum);

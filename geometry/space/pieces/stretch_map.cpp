@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/space/arrangement/short_integers.h"
+
 namespace hottel {
 namespace {
 
@@ -201,8 +203,9 @@ bool StretchMapper3::hides_as_one(const PairGeometry3::Solid& solid, const PairS
   if (!solid.exact->lid) return true;
   const Stretch3& s = stretch.line();
   const BodyPlane3& lid = *solid.exact->lid;
-  const IntegerVector from = difference(s.from, multiple(s.weight, bodies_.vertices().exact(lid.at)));
-  return dot_sign(lid.outward, from) <= 0 && dot_sign(lid.outward, sum(from, s.way)) <= 0;
+  const IntegerVector& at = bodies_.vertices().exact(lid.at);
+  const auto is_within = [&](const IntegerVector& p) { return plane_side_3(lid.outward, p, s.weight, at) <= 0; };
+  return is_within(s.from) && is_within(sum(s.from, s.way));
 }
 
 bool StretchMapper3::look(const PairStretch3& stretch, double low, double high, StretchPiece3& piece) {

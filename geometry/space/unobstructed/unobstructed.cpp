@@ -206,9 +206,14 @@ double most_at_distance(const LocalPair3& pair, long unit, double area_i, double
 
 UnobstructedMeasure3 unobstructed_measure(const Vertices3& vertices, const Patch3& i, const Patch3& j, double tolerance,
                                           Effort3 effort) {
+  return unobstructed_measure(vertices, i, j, {patch_area(vertices, i), patch_area(vertices, j)}, tolerance, effort);
+}
+
+UnobstructedMeasure3 unobstructed_measure(const Vertices3& vertices, const Patch3& i, const Patch3& j,
+                                          const std::array<Enclosure, 2>& areas, double tolerance, Effort3 effort) {
   const LocalPair3 pair(i, j);
   if (!pair.face_each_other()) return {};
-  const Enclosure area_i = patch_area(vertices, i), area_j = patch_area(vertices, j);
+  const auto& [area_i, area_j] = areas;
   const Enclosure area{std::min(area_i.lower, area_j.lower), std::min(area_i.upper, area_j.upper)};
   const int exponent = std::ilogb(pair.extent()) + 1;
   const long unit = 2 * (exponent + pair.shift() - vertices.shift());

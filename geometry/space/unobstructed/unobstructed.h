@@ -1,6 +1,8 @@
 // The direct exchange area of two patches with nothing between them.
 #pragma once
 
+#include <array>
+
 #include "geometry/space/arrangement/occluders.h"
 #include "geometry/space/arrangement/patch.h"
 #include "geometry/space/unobstructed/pair_result.h"
@@ -36,6 +38,9 @@ struct UnobstructedMeasure3 {
 // SEE: docs/design/space/unobstructed.md.
 UnobstructedMeasure3 unobstructed_measure(const Vertices3& vertices, const Patch3& i, const Patch3& j, double tolerance,
                                           Effort3 effort = Effort3::kAll);
+// The same where the areas of both, by patch_area(), are known.
+UnobstructedMeasure3 unobstructed_measure(const Vertices3& vertices, const Patch3& i, const Patch3& j,
+                                          const std::array<Enclosure, 2>& areas, double tolerance, Effort3 effort);
 
 // Returns A, the area of a patch, with proven bounds, at most 2^-47 of it apart, in the same unit. Bounds are positive.
 // COST: a microsecond.
