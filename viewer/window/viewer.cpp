@@ -1,6 +1,5 @@
 #include "viewer/window/viewer.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -12,6 +11,7 @@ namespace hottel {
 namespace {
 
 constexpr std::size_t kEventsPerFrame = 200;
+constexpr double kSecondsBetweenUpdates = 1;
 constexpr double kSecondsBetweenFrames = 0.02;  // while lights move
 
 Rational thousandths(double seconds) {
@@ -40,10 +40,10 @@ void handle_events(Viewer& viewer, Window& window, double seconds) {
 
 }  // namespace
 
-void run_viewer(Viewer& viewer, Window& window, double seconds) {
+void run_viewer(Viewer& viewer, Window& window) {
   Stopwatch watch;
   for (bool moves = false; !viewer.wants_quit();) {
-    const double most = moves ? std::min(seconds, kSecondsBetweenFrames) : seconds;
+    const double most = moves ? kSecondsBetweenFrames : kSecondsBetweenUpdates;
     handle_events(viewer, window, most);
     const double gone = watch.lap();
     moves = viewer.pass_time(moves ? thousandths(gone) : Rational(0));

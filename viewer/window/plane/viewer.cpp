@@ -116,7 +116,7 @@ void Viewer2::settle(double seconds) {
   update();
 }
 
-void Viewer2::run() { run_viewer(*this, window_, kSecondsBetweenFileChecks); }
+void Viewer2::run() { run_viewer(*this, window_); }
 
 Pixel Viewer2::pixel_of_place(std::span<const double> place) const {
   if (place.size() != 2) throw UsageError("a place of a scene in the plane is X,Y");

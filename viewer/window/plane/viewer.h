@@ -59,9 +59,7 @@ class Viewer2 : public Viewer {
   Pixel pixel_of_place(std::span<const double> place) const override;
   std::string hashes() const override;  // result_hashes(views().state())
   bool do_own_step(const ScriptStep&) override { return false; }
-
-  // Takes events and updates until it wants to quit.
-  void run();
+  void run() override;
 
   const SceneEditor2& editor() const { return editor_; }
   const SceneViews2& views() const { return views_; }

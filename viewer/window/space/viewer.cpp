@@ -184,7 +184,7 @@ void Viewer3::settle(double seconds) {
 
 void Viewer3::run() {
   gathers_ = true;
-  run_viewer(*this, window_, kSecondsBetweenFileChecks);
+  run_viewer(*this, window_);
 }
 
 void Viewer3::set_request(ViewRequest3 request) {

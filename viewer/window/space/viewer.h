@@ -66,9 +66,8 @@ class Viewer3 : public Viewer {
   std::string hashes() const override;
   // orbit, turn, pan, zoom, walk, eye, pick, material (docs/window.md).
   bool do_own_step(const ScriptStep& step) override;
-
-  // Takes events and updates until it wants to quit; light is gathered at rest, unless a key stops that.
-  void run();
+  // At rest light is gathered, unless a key stops that.
+  void run() override;
 
   const SceneEditor3& editor() const { return editor_; }
   const std::shared_ptr<const Scene3>& scene() const { return editor_.scene(); }
