@@ -53,7 +53,4 @@ class Viewer {
   virtual void run() = 0;
 };
 
-// Does what run() promises, with the events of a window.
-void run_viewer(Viewer& viewer, Window& window);
-
 }  // namespace hottel

@@ -93,8 +93,8 @@ class SceneEditor2 {
   std::string add_lamp(const Point2& centre, const Rational& half_size);
   std::string add_light(const Point2& place);
 
-  // Changes a light and the rotation of its axis. change: what to do to them.
-  std::string change_light(std::uint32_t light, const std::function<void(Light&, Rational&)>& change);
+  // Gives a light other values and its axis another rotation.
+  std::string change_light(std::uint32_t light, const Light& values, const Rational& rotation);
 
   // Changes the material of a face, for all that have it; copies_first: for the face's group alone. Nothing where the
   // face has none. change: what to do to it.
