@@ -163,12 +163,13 @@ TEST_F(ViewedProgram, GathersLightInSpaceAtRest) {
   place_.write("gather.txt", "do gather\npicture gathered.png\n");
   EXPECT_EQ(place_.run("hottel view stage.json --script gather.txt").code, 0);
   ViewProgram program = view({"stage.json"});
-  EXPECT_TRUE(comes_true([&] {
+  const auto is_saved_as_gathered = [&] {
     program.frame_at_rest();
     program.keys("ctrl+p Return");
     program.frame_at_rest();
     return place_.run("cmp stage.png gathered.png").code == 0;
-  }));
+  };
+  EXPECT_TRUE(comes_true(is_saved_as_gathered, 10 * testing_window::kPatience));
   program.keys("ctrl+q");
   expect_code(program, 0);
 }

@@ -131,8 +131,9 @@ bool are_alike_as_before_3(const std::vector<Material>& before, const std::vecto
 // enclosure though it must, the promise `closed` is broken, or there is no solution, or none in doubles.
 class Simulation3 {
  public:
-  // Throws InputError naming file, line and surface unless the scene is valid (validate), UsageError where the request's
-  // grid is not valid (grid_problem), or averages are asked for in a volume. with_request() throws UsageError alike.
+  // Throws InputError naming file, line and surface unless the scene is valid (validate), UsageError where the
+  // request's grid is not valid (grid_problem), or averages are asked for in a volume. with_request() throws UsageError
+  // alike.
   explicit Simulation3(Scene3 scene, SimulationRequest3 request = {});
   Simulation3 with_request(const SimulationRequest3& request) const;
   // The scene with these materials in place of its own, of the same names. Throws InputError as the constructor,
