@@ -25,7 +25,6 @@ namespace {
 
 constexpr std::uint32_t kWidth = 1280, kHeight = 800;
 constexpr double kMostScale = 8;
-constexpr double kSecondsBetweenLooks = 1;  // at the file of the scene
 
 struct ViewOptions {
   std::string scene, screenshot, script, record, look = "light";
@@ -133,7 +132,7 @@ ExitCode view(const ViewOptions& options, Streams& streams) {
   if (!options.script.empty() || !options.screenshot.empty() || !options.record.empty()) return play(options, streams);
   const std::unique_ptr<Window> window = open_window("hottel", size_of(options));
   const std::unique_ptr<Viewer> viewer = viewer_of(options, *window, streams);
-  run_viewer(*viewer, *window, kSecondsBetweenLooks);
+  viewer->run();
   return ExitCode::kDone;
 }
 

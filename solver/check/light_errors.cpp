@@ -183,7 +183,7 @@ std::vector<LightError> light_errors(const SceneTable& scene, const ExchangeMatr
                                      const RadiositySources& sources, const LightFates& fates, const char* size,
                                      const std::function<void(double)>& progress) {
   ErrorTeller teller(scene, matrix);
-  if (fates.rows_are_closed) teller.tell_mirrors(fates, sources.has_given_fluxes);
+  if (fates.are_real_rows_closed) teller.tell_mirrors(fates, sources.has_given_fluxes);
   if (!teller.has_errors()) teller.tell_sizes(size);
   if (!teller.has_errors()) teller.tell_light(fates, sources, progress);
   return teller.take();

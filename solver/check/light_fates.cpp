@@ -37,6 +37,7 @@ void add_fates(const SceneTable& scene, const ExchangeMatrix& matrix, const Radi
                LightFates& fates) {
   const RadiositySystem system(matrix, scene.materials, channel);
   fates.rows_are_closed &= system.rows_are_closed();
+  fates.are_real_rows_closed &= system.rows_are_closed() || matrix.has_closed_rows();
   const Sources sources = system.sources(given, channel);
   std::vector<char> is_taken_from = given.withdrawn.empty()
                                         ? std::vector<char>(sources.is_lit.size(), 0)

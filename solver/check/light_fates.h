@@ -22,10 +22,12 @@ struct LightFate {
 //
 //   (1) a component is there once for all channels; channels in which other faces reflect have components of their own
 //   (2) has_no_solution: in some channel all is reflected, nothing gets out, and some is emitted
-//   (3) rows_are_closed: as RadiositySystem has it; where they are not, (2) says nothing of what solve_radiosity does
+//   (3) rows_are_closed: as RadiositySystem has it
+//   (4) are_real_rows_closed: they are, or the matrix promises that rows of the real factors sum to 1; else (2) says
+//       nothing of what solve_radiosity does
 struct LightFates {
   std::map<std::vector<std::uint32_t>, LightFate> of;
-  bool rows_are_closed = true;
+  bool rows_are_closed = true, are_real_rows_closed = true;
 };
 
 // REQUIRES the matrix of the scene, by faces or by elements, and its sources. COST: a few passes over it.

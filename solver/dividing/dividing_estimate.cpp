@@ -9,6 +9,7 @@
 #include "geometry/face.h"
 #include "geometry/scene_names.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/stopwatch.h"
 #include "solver/compare/face_means.h"
 #include "solver/dividing/merged_elements.h"
 #include "solver/dividing/sampled_elements.h"
@@ -56,8 +57,7 @@ RadiositySources merged_sources(const SolvedElements& solved, const ElementMergi
   return sources;
 }
 
-}  // namespace
-
+// The channels, with the largest radiosity of each; nothing is estimated yet.
 DividingEstimate estimate_to_be(const SolvedElements& solved) {
   DividingEstimate estimate;
   for (std::size_t c = 0; c < solved.solution.channels.size(); ++c) {
@@ -70,6 +70,7 @@ DividingEstimate estimate_to_be(const SolvedElements& solved) {
   return estimate;
 }
 
+// Whether some face with a material reflects.
 bool reflects(const SceneTable& scene) {
   return std::ranges::any_of(scene.surfaces, [&](const Surface& surface) {
     return std::ranges::any_of(std::array{false, true}, [&](bool is_back) {
@@ -79,10 +80,9 @@ bool reflects(const SceneTable& scene) {
   });
 }
 
-void set_nothing_reflected(DividingEstimate& estimate) {
-  for (DividingEstimate::Channel& channel : estimate.channels) channel.pointwise = channel.face_means = 0;
-}
-
+// Elements to be looked at, `most` at the most (sampled_elements). Of two halves that gather H in the mean none is
+// further from it than H: so they are drawn by the square of what their element reflects, and no one of them says more
+// than all others together.
 std::vector<SampledElement> elements_to_look_at(const SolvedElements& solved, std::uint32_t most) {
   std::vector<double> importance(solved.matrix.size(), 0);
   for (const ChannelSolution& channel : solved.solution.channels) {
@@ -97,6 +97,7 @@ std::vector<SampledElement> elements_to_look_at(const SolvedElements& solved, st
   return sampled_elements(solved.matrix, importance, most);
 }
 
+// Sets the pointwise estimates. sights: the parts of each sample.
 void set_pointwise(const SolvedElements& solved, std::span<const SampledElement> samples,
                    std::span<const std::vector<PartSight>> sights, DividingEstimate& estimate) {
   HOTTEL_REQUIRE(samples.size() == sights.size());
@@ -120,6 +121,7 @@ void set_pointwise(const SolvedElements& solved, std::span<const SampledElement>
   }
 }
 
+// Sets those of face means, or why there are none.
 void set_face_means(const SolvedElements& solved, const ElementMerging& merging, DividingEstimate& estimate) {
   estimate.why_no_face_means = merging.why_none;
   if (!merging.why_none.empty()) return;
@@ -148,6 +150,31 @@ void set_face_means(const SolvedElements& solved, const ElementMerging& merging,
     for (DividingEstimate::Channel& channel : estimate.channels) channel.face_means.reset();
     estimate.why_no_face_means = std::string("merged elements have no solution: ") + error.what();
   }
+}
+
+}  // namespace
+
+DividingEstimate estimate_dividing(const SolvedElements& solved, std::uint32_t most, const SightsOfParts& sights,
+                                   const std::function<ElementMerging()>& merging) {
+  Stopwatch watch;
+  DividingEstimate estimate = estimate_to_be(solved);
+  if (!reflects(solved.scene)) {
+    for (DividingEstimate::Channel& channel : estimate.channels) channel.pointwise = channel.face_means = 0;
+    return estimate;
+  }
+  if (!sights) {
+    estimate.why_no_pointwise = "the factors are not exact: what parts gather by exact ones tells errors of both";
+  } else {
+    try {
+      const std::vector<SampledElement> samples = elements_to_look_at(solved, most);
+      set_pointwise(solved, samples, sights(samples), estimate);
+    } catch (const RequestError& error) {
+      estimate.why_no_pointwise = error.what();
+    }
+  }
+  set_face_means(solved, merging(), estimate);
+  estimate.seconds = watch.lap();
+  return estimate;
 }
 
 }  // namespace hottel

@@ -56,23 +56,14 @@ struct PartSight {
   std::vector<double> irradiance;
 };
 
-// The channels, with the largest radiosity of each; nothing is estimated yet.
-DividingEstimate estimate_to_be(const SolvedElements& solved);
+// What the parts of each sample gather.
+using SightsOfParts = std::function<std::vector<std::vector<PartSight>>(std::span<const SampledElement>)>;
 
-// True iff some face with a material reflects; else set_nothing_reflected() is all that there is to know.
-bool reflects(const SceneTable& scene);
-void set_nothing_reflected(DividingEstimate& estimate);
-
-// Returns elements to be looked at, `most` at the most (sampled_elements). Of two halves that gather H in the mean none
-// is further from it than H: so they are drawn by the square of what their element reflects, and no one of them says
-// more than all others together.
-std::vector<SampledElement> elements_to_look_at(const SolvedElements& solved, std::uint32_t most);
-
-// Sets the pointwise estimates. sights: the parts of each sample. REQUIRES the elements of the samples to have rows.
-void set_pointwise(const SolvedElements& solved, std::span<const SampledElement> samples,
-                   std::span<const std::vector<PartSight>> sights, DividingEstimate& estimate);
-
-// Sets those of face means, or why there are none. COST: a pass over the matrix, and a solution of what is merged.
-void set_face_means(const SolvedElements& solved, const ElementMerging& merging, DividingEstimate& estimate);
+// Returns the estimates. sights: of elements to be looked at, `most` at the most; null where the factors of the
+// solution are not exact: then there is no pointwise estimate, and it is said why; so where it throws RequestError.
+// merging: which elements are merged; it is asked where something is reflected. COST: what these cost, a pass over the
+// matrix, and a solution of what is merged.
+DividingEstimate estimate_dividing(const SolvedElements& solved, std::uint32_t most, const SightsOfParts& sights,
+                                   const std::function<ElementMerging()>& merging);
 
 }  // namespace hottel

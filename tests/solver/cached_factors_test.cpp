@@ -15,6 +15,7 @@
 #include "solver/store.h"
 #include "tests/same_matrix.h"
 #include "tests/sanitizers.h"
+#include "tests/solver/dimensions.h"
 #include "tests/temporary_folder.h"
 
 namespace hottel::cached_factors_test {
@@ -326,7 +327,7 @@ TEST(CachedFactors, ServeTheSkyByClosureAndByIntegrals) {
   }
 }
 
-TEST(CachedFactors, DependOnGeometryAndNotOnColours) {
+TEST(CachedFactors, DependOnTheToleranceAndOnSolids) {
   const StoreFile file;
   const auto computed = [&](const Scene3& scene, double tolerance = 1e-9) {
     const auto store = file.open();
@@ -337,31 +338,57 @@ TEST(CachedFactors, DependOnGeometryAndNotOnColours) {
                 Simulation3(scene, {.factors = kept}).factors()->matrix);
     return store->use().computed;
   };
-  const Scene3 scene = space_scene("two_boxes.json");
+  Scene3 scene = space_scene("two_boxes.json");
   EXPECT_GT(computed(scene), 0U);
-  Scene3 other = scene;
+  EXPECT_EQ(computed(scene), 0U);
+  EXPECT_GT(computed(scene, 1e-8), 0U) << "tolerance";
+  scene.camera.reset();
+  EXPECT_EQ(computed(scene), 0U) << "a camera";
+  for (Group& group : scene.groups) group.behind = Behind::kOpen;
+  EXPECT_GT(computed(scene), 0U) << "solids";
+}
+
+template <class D>
+class CachedFactorsTest : public testing::Test {
+ protected:
+  // How many pairs are computed with what is kept, which are those of no store.
+  std::uint64_t computed(const typename D::Scene& scene) const {
+    typename D::Request request;
+    const auto alone = typename D::Simulation(scene, request).factors();
+    const auto store = file_.open();
+    D::set_store(request, store);
+    expect_same(alone->matrix, typename D::Simulation(scene, request).factors()->matrix);
+    return store->use().computed;
+  }
+
+ private:
+  StoreFile file_;
+};
+TYPED_TEST_SUITE(CachedFactorsTest, BothDimensions, DimensionNames);
+
+TYPED_TEST(CachedFactorsTest, DependOnGeometryAndNotOnColours) {
+  const auto scene = TypeParam::room();
+  EXPECT_GT(this->computed(scene), 0U);
+  EXPECT_EQ(this->computed(scene), 0U);
+  auto other = scene;
   for (Material& material : other.materials) material.reflectivity.value[0] = Rational(1, 3);
   for (Material& material : other.materials) material.reflectivity.is_scalar = false;
   for (Material& material : other.materials) material.name += "'";
   other.sky_emission.value[1] = 7;
   other.sky_emission.is_scalar = false;
   other.file = "elsewhere";
-  other.camera.reset();
-  EXPECT_EQ(computed(other), 0U) << "colours";
-  EXPECT_GT(computed(scene, 1e-8), 0U) << "tolerance";
+  EXPECT_EQ(this->computed(other), 0U) << "colours";
   other = scene;
-  for (Polygon3& polygon : other.polygons)
-    for (Point3& point : polygon.points) point.z *= Rational(101, 100);
-  EXPECT_GT(computed(other), 0U) << "a place";
+  TypeParam::move_wall(other);
+  EXPECT_GT(this->computed(other), 0U) << "a place";
   other = scene;
   other.surfaces.front().back = 0;
-  EXPECT_GT(computed(other), 0U) << "a back with a material";
+  // In the plane pairs of black backs are kept too.
+  EXPECT_EQ(this->computed(other) > 0, (std::is_same_v<TypeParam, SpaceTests>)) << "a back with a material";
   other = scene;
-  other.surfaces.front().name += "'";
-  EXPECT_GT(computed(other), 0U) << "a name";
-  other = scene;
-  for (Group& group : other.groups) group.behind = Behind::kOpen;
-  EXPECT_GT(computed(other), 0U) << "solids";
+  other.surfaces.back().name += "'";
+  EXPECT_GT(this->computed(other), 0U) << "a name";
+  EXPECT_EQ(this->computed(scene), 0U) << "what was there before";
 }
 
 }  // namespace

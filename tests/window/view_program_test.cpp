@@ -158,6 +158,22 @@ TEST_F(ViewedProgram, APolygonInSpaceIsDraggedAsAScriptDragsIt) {
   expect_code(program, 0);
 }
 
+TEST_F(ViewedProgram, GathersLightInSpaceAtRest) {
+  place_.write("stage.json", kLitStage);
+  place_.write("gather.txt", "do gather\npicture gathered.png\n");
+  EXPECT_EQ(place_.run("hottel view stage.json --script gather.txt").code, 0);
+  ViewProgram program = view({"stage.json"});
+  const auto is_saved_as_gathered = [&] {
+    program.frame_at_rest();
+    program.keys("ctrl+p Return");
+    program.frame_at_rest();
+    return place_.run("cmp stage.png gathered.png").code == 0;
+  };
+  EXPECT_TRUE(comes_true(is_saved_as_gathered, 10 * testing_window::kPatience));
+  program.keys("ctrl+q");
+  expect_code(program, 0);
+}
+
 TEST_F(ViewedProgram, WhatIsSavedIsWhatAScriptSavesAndSolvesAlike) {
   place_.write("drag.txt", "drag @640,400 @700,430\nkey ctrl+s\n");
   EXPECT_EQ(place_.run("cp room.json scripted.json; hottel view scripted.json --script drag.txt").code, 0);

@@ -36,4 +36,16 @@ std::vector<std::string> approximate_methods(const MethodCatalogue<Prepared>& ca
   return names;
 }
 
+// Takes the solver or the method so many places after that of a request, whichever its view mode is of. Returns what is
+// to be said. Request: a ViewRequest of either dimension.
+template <class Request, class Prepared>
+std::string take_next(Request& request, const MethodCatalogue<Prepared>& catalogue, int step) {
+  if (request.mode == decltype(request.mode)::kSweeps) {
+    request.solver = next_of(kSolvers, request.solver, step);
+    return std::string("solver ") + to_string(request.solver);
+  }
+  request.method = next_of(approximate_methods(catalogue), request.method, step);
+  return "method " + request.method;
+}
+
 }  // namespace hottel

@@ -59,6 +59,17 @@ void draw_light(PictureCanvas& canvas, const Light& light, const LightMark& mark
   canvas.circle(Mark::kTarget, mark.place, kDisc * unit, ring.with_alpha(shown), (style.is_meant ? 2.5 : 1.5) * unit);
 }
 
+LightStyle light_style(std::uint32_t light, const std::optional<std::uint32_t>& selected,
+                       const std::optional<LightHold>& touched) {
+  LightStyle style{.is_meant = selected == light};
+  if (touched && touched->light == light) style = {.is_meant = true, .touched = touched->part};
+  return style;
+}
+
+std::string light_line(const Light& light, std::span<const Rational> rotation) {
+  return light.name + ": " + light_text(light, rotation);
+}
+
 std::string begin_to_move(std::optional<Rational>& time, bool is_dragging, bool can_move) {
   if (is_dragging) return "not while something is dragged";
   if (!can_move) return "no light moves";

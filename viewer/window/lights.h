@@ -1,6 +1,7 @@
 // Lights in a window, in either dimension: how they look, and how their values are asked for.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -34,6 +35,13 @@ struct LightStyle {
   std::optional<LightPart> touched{};
 };
 void draw_light(PictureCanvas& canvas, const Light& light, const LightMark& mark, const LightStyle& style, double unit);
+
+// How a light looks: meant, where it is the selected one or what is touched is of it.
+LightStyle light_style(std::uint32_t light, const std::optional<std::uint32_t>& selected,
+                       const std::optional<LightHold>& touched);
+
+// In one line: "torch: power 5; focus 20; falloff 0; rotation 0 0 30".
+std::string light_line(const Light& light, std::span<const Rational> rotation);
 
 // Lets lights begin to move, at the time 0, where nothing is dragged and some light can. Returns what is to be said.
 std::string begin_to_move(std::optional<Rational>& time, bool is_dragging, bool can_move);

@@ -47,10 +47,10 @@ class Viewer {
   virtual std::string hashes() const = 0;
   // Does a step of a script that only scenes of this dimension have. Returns false for all other steps.
   virtual bool do_own_step(const ScriptStep& step) = 0;
-};
 
-// Takes events and updates the viewer until it wants to quit: at least once in so many seconds even if nothing happens,
-// and fifty times a second while lights move. Their time follows the clock, in thousandths of a second.
-void run_viewer(Viewer& viewer, Window& window, double seconds);
+  // Takes events and updates until it wants to quit: at least once a second even if nothing happens, and fifty times a
+  // second while lights move. Their time follows the clock, in thousandths of a second.
+  virtual void run() = 0;
+};
 
 }  // namespace hottel

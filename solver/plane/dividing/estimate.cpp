@@ -7,8 +7,6 @@
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "geometry/plane/prepared/element_table.h"
 #include "geometry/plane/prepared/prepared_scene.h"
-#include "kernel/support/failure.h"
-#include "kernel/support/stopwatch.h"
 #include "solver/dividing/cut_elements.h"
 #include "solver/dividing/direct_parts.h"
 #include "solver/dividing/merged_elements.h"
@@ -69,25 +67,12 @@ ElementMerging merging_in_pairs(const Scene2& scene, std::span<const Element> el
 }
 
 DividingEstimate estimate_dividing(const DividingRequest2& request) {
-  Stopwatch watch;
-  DividingEstimate estimate = estimate_to_be(request.solved);
-  if (!reflects(request.solved.scene)) {
-    set_nothing_reflected(estimate);
-    return estimate;
-  }
-  if (!request.has_exact_factors) {
-    estimate.why_no_pointwise = "the factors are not exact: what parts gather by exact ones tells errors of both";
-  } else {
-    try {
-      const std::vector<SampledElement> samples = elements_to_look_at(request.solved, request.most);
-      set_pointwise(request.solved, samples, sights_of(request, samples), estimate);
-    } catch (const RequestError& error) {
-      estimate.why_no_pointwise = error.what();
-    }
-  }
-  set_face_means(request.solved, merging_in_pairs(request.whole.scene, request.solved.matrix.elements()), estimate);
-  estimate.seconds = watch.lap();
-  return estimate;
+  SightsOfParts sights;
+  if (request.has_exact_factors)
+    sights = [&request](std::span<const SampledElement> samples) { return sights_of(request, samples); };
+  return estimate_dividing(request.solved, request.most, sights, [&request] {
+    return merging_in_pairs(request.whole.scene, request.solved.matrix.elements());
+  });
 }
 
 }  // namespace hottel

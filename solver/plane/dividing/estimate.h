@@ -32,7 +32,7 @@ struct DividingRequest2 {
 //   (1) the halves of an element gather in the mean what it has, but for rounding
 //   (2) the same bits for any number of threads
 // COST: a triangulation and a sweep about each vertex, as for the factors, and what two pairs of each element with each
-// of those looked at cost; then set_face_means().
+// of those looked at cost; then those of face means.
 DividingEstimate estimate_dividing(const DividingRequest2& request);
 
 // Which elements of edges that are divided evenly are merged in pairs.

@@ -616,7 +616,7 @@ std::shared_ptr<const PreparedScene2> Simulation2::prepared(const StageProgress&
 void Simulation2::require_closed(const StageProgress& progress) const {
   if (!scene().closed) return;
   hottel::require_closed(scene(), *version_->divided.stage->get(progress), memory_allowed(version_->request.memory),
-                         telling("view factors", progress));
+                         progress ? telling("view factors", progress) : nullptr);
 }
 
 std::shared_ptr<const ComputedFactors2> Simulation2::factors(const StageProgress& progress) const {

@@ -32,7 +32,7 @@ struct DividingRequest3 {
 //   (1) what elements gather on masks that lie on them, and these on their bases, is as they are
 //   (2) the same bits for any number of threads
 // COST: a map from each part of those looked at, and for each face that is seen and divided the product of fragments
-// and elements; the shares of lights in the parts; then set_face_means().
+// and elements; the shares of lights in the parts; then those of face means.
 DividingEstimate estimate_dividing(const DividingRequest3& request);
 
 // Which elements of polygons that are divided evenly are merged, four to one.

@@ -184,10 +184,7 @@ struct Simulation3::Version {
   // Of another request of the scene, or of the first.
   Version(ScenePtr its_scene, const SimulationRequest3& its_request, const Version* other)
       : scene(std::move(its_scene)), request(its_request) {
-    if (const std::string problem = request.light.grid ? grid_problem(*request.light.grid) : ""; !problem.empty())
-      throw UsageError("the grid of a request: " + problem);
-    if (const auto where = grid(); request.light.is_average && where && where->is_volume())
-      throw UsageError("averages are of the irradiance of cells on a side, and a volume has none");
+    require_grid();
     const bool keeps_factors = other != nullptr && other->request.factors == request.factors;
     const bool keeps_lights = keeps_factors && other->request.lights == request.lights;
     const bool keeps_system = keeps_factors && other->request.system == request.system;
@@ -222,6 +219,7 @@ struct Simulation3::Version {
 
   // Of another scene.
   Version(const Version& other, ScenePtr its_scene) : scene(std::move(its_scene)), request(other.request) {
+    require_grid();
     const bool has_same_shape = is_same_shape(*other.scene, *scene);
     const bool are_alike = has_same_shape && are_alike_as_before_3(other.scene->materials, scene->materials);
     const bool has_same_elements =
@@ -267,6 +265,13 @@ struct Simulation3::Version {
   }
 
  private:
+  void require_grid() const {
+    if (const std::string problem = request.light.grid ? grid_problem(*request.light.grid) : ""; !problem.empty())
+      throw UsageError("the grid of a request: " + problem);
+    if (const auto where = grid(); request.light.is_average && where && where->is_volume())
+      throw UsageError("averages are of the irradiance of cells on a side, and a volume has none");
+  }
+
   void set_factors() {
     factors = std::make_shared<Stage<ComputedFactors3>>(
         "view factors", [ready = prepared, asked = request.factors](const StageProgress& progress) {

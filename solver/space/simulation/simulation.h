@@ -129,15 +129,15 @@ bool are_alike_as_before_3(const std::vector<Material>& before, const std::vecto
 // enclosure though it must, the promise `closed` is broken, or there is no solution, or none in doubles.
 class Simulation3 {
  public:
-  // A Scene3 is validated: throws InputError naming file, line and surface unless it is valid (validate). This and
-  // with_request() throw UsageError where the request's grid is not valid (grid_problem), or averages are asked for in
-  // a volume.
+  // A Scene3 is validated: throws InputError naming file, line and surface unless it is valid (validate). Throws
+  // UsageError where the request's grid is not valid (grid_problem), or averages are asked for in a volume;
+  // with_request() throws it alike.
   explicit Simulation3(ValidScene3 scene, SimulationRequest3 request = {});
   Simulation3 with_request(const SimulationRequest3& request) const;
   // The scene with these materials in place of its own, of the same names. Throws InputError as the constructor,
   // ContractViolation unless there are as many.
   Simulation3 with_materials(std::vector<Material> materials) const;
-  // The version of another scene. Throws InputError as the constructor.
+  // The version of another scene. Throws as the constructor.
   Simulation3 with_scene(Scene3 scene) const;
   Simulation3 with_scene(ValidScene3 scene) const;
   // The same scene with these trees in place of its own. Throws ContractViolation unless there is one for each surface.

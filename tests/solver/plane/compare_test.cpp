@@ -19,6 +19,7 @@
 #include "solver/plane/compare/method_comparison.h"
 #include "solver/plane/compare/pair_explanation.h"
 #include "solver/plane/methods/method_catalogue.h"
+#include "tests/solver/dimensions.h"
 
 namespace hottel::compare_test {
 namespace {
@@ -240,83 +241,13 @@ TEST(WorkReading, NamesTheCheapestFamilyAndTheFactor) {
   EXPECT_TRUE(read_off(std::span(curves).first(1), std::array{0.1}).empty()) << "exact alone";
 }
 
-// A method that gives the matrix it is given.
-class Given final : public ElementMethod2 {
- public:
-  explicit Given(ExchangeMatrix matrix) : matrix_(std::move(matrix)) {}
-  const MethodInfo& info() const override { return info_; }
-  ExchangeMatrix compute_elements(const PreparedScene2&, const std::function<void(double)>&,
-                                  MethodReport& report) const override {
-    report.seconds = 0.25;
-    return matrix_;
-  }
-  std::optional<double> declared_error(const PreparedScene2&) const override { return std::nullopt; }
-
- private:
-  ExchangeMatrix matrix_;
-  MethodInfo info_{"given", "given", 0, Guarantee::kEstimated, ""};
-};
-
-// The exact factors of a scene, each times a number.
-ExchangeMatrix times(const ExchangeMatrix& exact, double factor) {
-  std::vector<std::size_t> begin{0};
-  std::vector<FactorEntry> entries;
-  for (std::uint32_t i = 0; i < exact.size(); ++i) {
-    for (FactorEntry entry : exact.row(i)) {
-      entry.factor = {entry.factor.value * factor, 0};
-      entries.push_back(entry);
-    }
-    begin.push_back(entries.size());
-  }
-  ExchangeMatrix matrix(exact.elements(), Guarantee::kEstimated);
-  matrix.assign(begin, entries);
-  return matrix;
-}
-
-// A unit square whose walls send out 1 each and reflect half, or what is given.
-PreparedScene2 square(const std::string& reflectivity = "0.5") {
-  return prepare(parse_scene_2(R"({"hottel":1,"dimension":2,"materials":{"m":{"emission":1,"reflectivity":)" +
-                                   reflectivity + R"(}},"polylines":[{"name":"room",
-    "points":[[0,0],[0,1],[1,1],[1,0]],"closed":true,"material":"m"}]})",
-                               "square"),
-                 Divided2::kYes);
-}
-
-TEST(MethodComparison, FindsNothingWrongWithTheExactMethod) {
-  const PreparedScene2 prepared = square();
-  const MethodResult result = MethodComparison2(Simulation2(prepared.scene)).run(*methods_2().make("exact"), 1);
+TEST(MethodComparison2, FindsNothingWrongWithTheExactMethod) {
+  const MethodComparison2 comparison{Simulation2(PlaneTests::furnace("0.5"))};
+  const MethodResult result = comparison.run(*methods_2().make("exact"), 1);
   EXPECT_EQ(result.errors.max, 0);
   EXPECT_EQ(result.max_radiosity_error, 0);
   EXPECT_GT(result.timing.median, 0);
   EXPECT_EQ(result.declared_error, 0);
-}
-
-// Every factor halved: the walls send out 1 / (1 - 1/4) instead of 1 / (1 - 1/2).
-TEST(MethodComparison, SolvesTheMatrixAsItIs) {
-  const PreparedScene2 prepared = square();
-  const MethodComparison2 comparison{Simulation2(prepared.scene)};
-  const MethodResult result = comparison.run(Given(times(comparison.exact(), 0.5)));
-  EXPECT_NEAR(*result.max_radiosity_error, (2 - 4.0 / 3) / 2, 1e-14);
-  EXPECT_NEAR(result.errors.closure, 0.5, 1e-15);
-  EXPECT_EQ(result.timing.median, 0.25) << "the time that the method itself knows";
-}
-
-TEST(MethodComparison, SaysThatAMatrixWithoutRadiositiesHasNone) {
-  const PreparedScene2 prepared = square();
-  const MethodComparison2 comparison{Simulation2(prepared.scene)};
-  const MethodResult result = comparison.run(Given(times(comparison.exact(), 1e3)), 1);
-  EXPECT_EQ(result.max_radiosity_error, kInfinity);
-  EXPECT_FALSE(result.solution);
-  ASSERT_EQ(result.notes.size(), 1u);
-  EXPECT_THAT(result.notes[0], ::testing::StartsWith("no radiosity"));
-}
-
-TEST(MethodComparison, ComparesFactorsOfASceneThatHasNoRadiosities) {
-  const PreparedScene2 prepared = square("1");
-  const MethodComparison2 comparison{Simulation2(prepared.scene)};
-  EXPECT_FALSE(comparison.exact_solution());
-  EXPECT_FALSE(comparison.why_no_solution().empty());
-  EXPECT_EQ(comparison.run(*methods_2().make("exact"), 1).max_radiosity_error, std::nullopt);
 }
 
 // A unit square that a screen without a back divides in two.

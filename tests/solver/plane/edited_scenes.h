@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <random>
 #include <string>
 
@@ -12,6 +11,7 @@
 #include "kernel/support/failure.h"
 #include "solver/plane/check/scene_check.h"
 #include "solver/plane/simulation/simulation.h"
+#include "tests/solver/traces.h"
 
 namespace hottel {
 
@@ -103,47 +103,10 @@ class RandomEdits {
   std::mt19937_64 random_;
 };
 
-// Everything that a simulation came to, bit for bit, or why it came to nothing.
-class Traces {
- public:
-  template <class Work>
-  void add(const Work& work) {
-    try {
-      work();
-    } catch (const std::exception& error) {
-      text_ += std::string("failed: ") + error.what() + "\n";
-    }
-  }
-  void add_number(double value) { text_ += std::to_string(std::bit_cast<std::uint64_t>(value)) + " "; }
-  void add_text(const std::string& text) { text_ += text + "\n"; }
-  const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-};
-
 inline std::string traces_of(const Simulation2& simulation) {
   Traces traces;
-  traces.add([&] {
-    const auto factors = simulation.factors();
-    const ExchangeMatrix& matrix = factors->matrix;
-    for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-      traces.add_text(matrix.elements()[i].name);
-      for (const FactorEntry& entry : matrix.row(i)) {
-        traces.add_number(entry.to);
-        traces.add_number(entry.factor.value);
-      }
-    }
-  });
-  traces.add([&] {
-    const auto solution = simulation.radiosities();
-    for (const ChannelSolution& channel : solution->channels)
-      for (const ElementRadiosity& element : channel.elements)
-        for (const double value : {element.radiosity, element.lower, element.upper, element.irradiance,
-                                   element.net_value, element.net_lower, element.net_upper})
-          traces.add_number(value);
-    for (const std::string& note : solution->notes) traces.add_text(note);
-  });
+  traces.add([&] { traces.add_matrix(simulation.factors()->matrix); });
+  traces.add([&] { traces.add_solution(*simulation.radiosities()); });
   traces.add([&] {
     const auto light = simulation.light();
     for (const double value : light->grid.values) traces.add_number(value);

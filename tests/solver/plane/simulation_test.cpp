@@ -5,20 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <string>
-#include <thread>
-#include <vector>
 
 #include "geometry/plane/prepared/prepared_scene.h"
-#include "kernel/support/interrupt.h"
 #include "solver/plane/methods/method_catalogue.h"
 #include "tests/solver/plane/edited_scenes.h"
 
 namespace hottel::simulation_test {
 namespace {
 
-using testing::ElementsAre;
 using testing::HasSubstr;
 
 class NoPainter final : public LightPainter2 {
@@ -117,147 +112,16 @@ TEST(Simulation, KeepsRowsThroughEditsOfMaterialsAndMakesTheSameLightOfThem) {
   }
 }
 
-// Undo is the older version, with all that it had made.
-TEST(Simulation, AnOlderVersionKeepsItsStages) {
-  const Simulation2 before = simulated_room();
-  const auto light = before.light();
-  Scene2 scene = before.scene();
-  scene.edges[3].to.x += 1;
-  const Simulation2 after = before.with_scene(scene);
-  EXPECT_NE(after.light()->grid.values, light->grid.values);
-  EXPECT_EQ(before.light(), light);
-}
-
-// (2), every stage after every edit, in an order that is drawn
-TEST(Simulation, IsAFunctionOfItsSceneAfterAThousandEdits) {
-  RandomEdits edits(20261122);
-  std::vector<Simulation2> versions{simulated_room()};
-  int solved = 0, failed = 0;
-  for (int k = 0; k < 1000; ++k) {
-    // Some edits follow an older version: undone, then edited anew.
-    const std::size_t from = edits.below(4) == 0 ? edits.below(versions.size()) : versions.size() - 1;
-    versions.push_back(edits.next(versions[from]));
-    const Simulation2& edited = versions.back();
-    if (edits.below(3) == 0) continue;  // nobody looks at this one
-    const Simulation2 fresh(saved(edited.scene()), edited.request());
-    const std::string traces = traces_of(edited);
-    ASSERT_EQ(traces, traces_of(fresh)) << "after edit " << k << ":\n" << write_scene_2(edited.scene());
-    ++(traces.find("failed: ") == std::string::npos ? solved : failed);
-  }
-  EXPECT_GT(solved, 200);
-  EXPECT_GT(failed, 5);
-}
-
-// (3)
-TEST(Simulation, ThreadsAskEditAndCancelAtOnce) {
-  const Simulation2 first = simulated_room();
-  const std::string expected = traces_of(Simulation2(first.scene(), first.request()));
-  std::atomic<int> wrong{0}, dropped{0};
-  std::vector<std::thread> threads;
-  for (unsigned k = 0; k < 6; ++k)
-    threads.emplace_back([&, k] {
-      RandomEdits edits(k);
-      Simulation2 mine = first;
-      std::mt19937 random(k);
-      for (int round = 0; round < 12; ++round) {
-        std::atomic<bool> stop{false};
-        try {
-          const StopScope scope(&stop);
-          stop = random() % 3 == 0;
-          traces_of(mine);
-          mine.light([&](std::string_view, double) { throw Interrupted(); });
-        } catch (const Interrupted&) {
-          ++dropped;
-        } catch (const std::exception&) {  // the edit leads nowhere: for the next one to mend
-        }
-        mine = round % 3 == 2 ? first : edits.next(mine);
-      }
-      if (traces_of(first) != expected) ++wrong;
-    });
-  for (std::thread& thread : threads) thread.join();
-  EXPECT_EQ(wrong, 0);
-  EXPECT_GT(dropped, 0);
-}
-
-// (3): a stage that nobody waits for any more is absent, and made anew.
-TEST(Simulation, ACancelledThreadLeavesNothingHalfMade) {
-  const Simulation2 simulation = simulated_room();
-  const auto cancel = [](std::string_view, double) { throw Interrupted(); };
-  for (int k = 0; k < 20; ++k) {
-    try {
-      simulation.picture(cancel);
-    } catch (const Interrupted&) {
-    }
-  }
-  EXPECT_EQ(traces_of(simulation), traces_of(simulated_room()));
-}
-
-TEST(Simulation, AFailureStaysUntilAnEditDropsItsStage) {
-  Scene2 scene = room_to_edit();
-  scene.closed = true;
-  scene.edges[4].to.y = 7;  // a gap in the wall
-  const Simulation2 open(scene, coarse(scene));
-  for (int k = 0; k < 2; ++k) {
-    EXPECT_NO_THROW(open.factors());
-    EXPECT_THROW(open.radiosities(), RequestError);
-    EXPECT_THROW(open.picture(), RequestError);
-  }
-  scene.closed = false;
-  const Simulation2 mended = open.with_scene(scene);
-  EXPECT_EQ(mended.factors(), open.factors());
-  EXPECT_NO_THROW(mended.picture());
-}
-
-// (4)
-TEST(Simulation, KeepsToItsMemory) {
-  Simulation2 simulation = simulated_room();
-  SimulationRequest2 request = simulation.request();
-  request.memory = 1000;
-  EXPECT_THROW(simulation.with_request(request).factors(), RequestError);
-}
-
-TEST(Simulation, NamesItsFile) {
-  const Scene2 mirrors = parse_scene_2(R"({"hottel": 1, "dimension": 2,
-    "materials": {"mirror": {"reflectivity": 1, "emission": 1}},
-    "polylines": [{"name": "room", "points": [[0,0],[0,1],[1,1],[1,0]], "closed": true, "material": "mirror"}]})",
-                                       "edited.json");
-  try {
-    Simulation2(mirrors).radiosities();
-    FAIL();
-  } catch (const RequestError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("edited.json: "));
-    EXPECT_EQ(std::string(error.what()).find("edited.json", 5), std::string::npos);
-  }
-}
-
-TEST(Simulation, RefusesAnInvalidScene) {
-  Scene2 scene = room_to_edit();
-  scene.edges[0].to = scene.edges[0].from;
-  EXPECT_THROW(Simulation2{scene}, InputError);
-  EXPECT_THROW(simulated_room().with_scene(scene), InputError);
-  EXPECT_THROW(simulated_room().with_request({.grid = Grid2{{0, 0}, {0, 1}, 2, 2}}), UsageError);
-}
-
-TEST(Simulation, LightsTheFirstOfSeveralGridsAndPlansThemAll) {
+TEST(Simulation, PlansAllGridsOrTheOneThatIsAskedFor) {
   Scene2 scene = room_to_edit();
   scene.grids = {{{0, 0}, {1, 1}, 3, 4, "first"}, {{1, 0}, {2, 1}, 5, 7, "second"}};
   const Simulation2 simulation(scene);
-  EXPECT_EQ(simulation.light()->grid.grid, scene.grids[0]);
   const auto cells = [](const Simulation2& of) {
     const auto plan = of.plan();
     return std::ranges::find(plan->effects(), std::string(Plan::kIllumination), &PlannedEffect::effect)->reason;
   };
   EXPECT_EQ(cells(simulation), "47 cells");
-  const Simulation2 second = simulation.with_request({.grid = scene.grids[1]});
-  EXPECT_EQ(cells(second), "35 cells");
-  EXPECT_EQ(second.light()->grid.grid, scene.grids[1]);
-  EXPECT_EQ(second.radiosities(), simulation.radiosities());
-  EXPECT_EQ(second.light()->grid.values, Simulation2(scene, {.grid = scene.grids[1]}).light()->grid.values);
-}
-
-TEST(Simulation, HasAPictureOnlyWithAPainter) {
-  EXPECT_THROW(Simulation2(room_to_edit()).picture(), ContractViolation);
-  EXPECT_EQ(simulated_room().picture()->bytes, "48");
+  EXPECT_EQ(cells(simulation.with_request({.grid = scene.grids[1]})), "35 cells");
 }
 
 }  // namespace

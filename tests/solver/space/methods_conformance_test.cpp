@@ -116,47 +116,6 @@ TEST_P(AnalyticMethods3, RaysAreWithinFiveStandardErrors) {
   }
 }
 
-// What methods declare of themselves.
-TEST_P(AnalyticMethods3, StayWithinTheErrorTheyClaim) {
-  const Known& scene = known(GetParam());
-  std::vector<std::string> names = kMethods;
-  names.insert(names.end(), {"exact", "gauss:1", "gauss:2", "gauss:6", "points:1", "points:6"});
-  for (const auto& one : kRays) names.push_back(one.first);
-  for (const std::string& name : names) {
-    const auto method = methods_3().make(name);
-    const ExchangeMatrix matrix = by(name, scene);
-    const ExchangeMethod3::ClaimedErrors claimed = method->claimed_errors(scene.prepared);
-    const double of_all = method->declared_error(scene.prepared).value_or(std::numeric_limits<double>::infinity());
-    for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-      if (!matrix.has_row(i)) continue;
-      for (std::uint32_t j = 0; j <= matrix.sky(); ++j) {
-        const double error = std::fabs(matrix.factor(i, j).value - scene.exact.factor(i, j).value);
-        EXPECT_LE(error, std::min(claimed(i, j), of_all) + kExact)
-            << name << " " << matrix.name(i) << " " << matrix.name(j);
-      }
-    }
-  }
-}
-
-// ExchangeMethod (7).
-TEST_P(AnalyticMethods3, FactorsOfPairsAreEntries) {
-  const Known& scene = known(GetParam());
-  std::size_t with_pairs = 0;
-  for (const std::string& name : kMethods) {
-    const auto method = methods_3().make(name);
-    const ExchangeMethod3::FactorsOfPairs factor = method->factors_of_pairs(scene.prepared);
-    if (!factor) continue;
-    ++with_pairs;
-    const ExchangeMatrix matrix = by(name, scene);
-    for (std::uint32_t i = 0; i < matrix.size(); ++i)
-      for (std::uint32_t j = 0; j < matrix.size() && matrix.has_row(i); ++j)
-        if (i != j) {
-          EXPECT_EQ(std::max(factor(i, j), 0.0), matrix.factor(i, j).value) << name << " " << i << " " << j;
-        }
-  }
-  EXPECT_GE(with_pairs, 4U);
-}
-
 TEST_P(AnalyticMethods3, ThoseThatLookEverywhereCloseTheirRows) {
   const Known& scene = known(GetParam());
   for (const char* method : {"points:3", "hemicube:64", "hemicube:64:uniform", "rays:4096:sobol"}) {

@@ -198,6 +198,21 @@ TEST(SceneCheck3, ARoomOfMirrorsHasNoSolutionWhenItEmits) {
   EXPECT_THAT(errors_of(scene), IsEmpty()) << "a way to the sky";
 }
 
+// Factors of furnished rooms are estimates, and what their rows lack of 1 is no way out.
+TEST(SceneCheck3, AFurnishedRoomOfMirrorsHasNoSolutionEither) {
+  Scene3 scene = room_of_mirrors();
+  add(scene, "plate", {{q("1/4"), q("1/4"), q("1/2")}, {q("3/4"), q("1/4"), q("1/2")}, {q("1/2"), q("3/4"), q("1/2")}});
+  scene.surfaces.back().material = scene.surfaces.front().material;
+  scene.surfaces.back().back = scene.surfaces.front().material;
+  EXPECT_EQ(Simulation3(scene).factors()->matrix.guarantee(), Guarantee::kEstimated);
+  EXPECT_THAT(errors_of(scene), ElementsAre(HasSubstr("error no-solution ")));
+  EXPECT_THROW(Simulation3(scene).radiosities(), RequestError);
+  scene.materials[1].emission = {};
+  EXPECT_THAT(errors_of(scene), IsEmpty());
+  const auto dark = Simulation3(scene).radiosities();
+  for (const ElementRadiosity& element : dark->channels[0].elements) EXPECT_EQ(element.radiosity, 0);
+}
+
 TEST(SceneCheck3, OfTwoRoomsTheOneWithoutASolutionIsNamed) {
   Scene3 scene = closed_room();
   add_box(scene, "far", {5, 0, 0}, {6, 1, 1}, true);

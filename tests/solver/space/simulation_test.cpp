@@ -221,6 +221,16 @@ TEST(Simulation3, LightNeedsAGridAndAPictureAPainter) {
   EXPECT_THROW(simulation.with_request({.light = {.grid = Grid3{{}, {1, 0, 0}, {2, 0, 0}, 1, 1}}}), UsageError);
 }
 
+TEST(Simulation3, HasNoAveragesInAVolumeHoweverItComesByOne) {
+  Scene3 scene = cube();
+  scene.grids = {{{0, 0, Rational(1, 2)}, {1, 0, 0}, {0, 1, 0}, 3, 2}};
+  const Simulation3 simulation(scene, {.light = {.is_average = true}});
+  scene.grids[0].w = Vector3{0, 0, Rational(1, 4)};
+  EXPECT_THROW((Simulation3(scene, {.light = {.is_average = true}})), UsageError);
+  EXPECT_THROW(simulation.with_scene(scene), UsageError);
+  EXPECT_NO_THROW(simulation.with_request({}).with_scene(scene));
+}
+
 TEST(Simulation3, ThePlanIsMadeWithoutFactorsAndShared) {
   const Simulation3 simulation(cube());
   EXPECT_FALSE(simulation.plan()->uses(Plan::kOcclusion));

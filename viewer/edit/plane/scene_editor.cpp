@@ -1,7 +1,6 @@
 #include "viewer/edit/plane/scene_editor.h"
 
 #include <algorithm>
-#include <set>
 
 #include "geometry/plane/scene/bounding_box.h"
 #include "geometry/scene_names.h"
@@ -43,17 +42,10 @@ void SceneEditor2::set(Scene2 next, const std::string& what) {
   changed();
 }
 
-// Selects the surfaces that are called as those of another scene.
-void SceneEditor2::set_selected_names(const Scene2& before, const std::vector<std::uint32_t>& surfaces) {
-  std::set<std::string> names;
-  for (const std::uint32_t s : surfaces) names.insert(before.surfaces[s].name);
-  selected_.clear();
-  for (std::uint32_t s = 0; !names.empty() && s < scene()->surfaces.size(); ++s)
-    if (names.contains(scene()->surfaces[s].name)) selected_.push_back(s);
-  if (!light_) return;
-  const std::vector<Light>& lights = scene()->lights;
-  const auto found = std::ranges::find(lights, before.lights[*light_].name, &Light::name);
-  light_ = found == lights.end() ? std::nullopt : std::optional(static_cast<std::uint32_t>(found - lights.begin()));
+// Selects what is called as it was in another scene.
+void SceneEditor2::set_selected_names(const Scene2& before, const Selection& surfaces) {
+  selected_ = selection_called_as(before, surfaces, *scene());
+  light_ = light_called_as(before, light_, *scene());
 }
 
 Pick2 SceneEditor2::pick(const Pointer2& pointer) const { return picker_->at(pointer.place, pointer.reach); }
@@ -62,10 +54,8 @@ Snap2 SceneEditor2::snap(const Pointer2& pointer) const {
   return snapped(*scene(), pointer.place, {.decimals = pointer.decimals, .reach = pointer.reach});
 }
 
-void SceneEditor2::select(std::vector<std::uint32_t> surfaces) {
-  std::sort(surfaces.begin(), surfaces.end());
-  surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
-  selected_ = std::move(surfaces);
+void SceneEditor2::select(Selection surfaces) {
+  selected_ = selection_of(std::move(surfaces));
   vertex_.reset();
   light_.reset();
 }
@@ -78,33 +68,12 @@ void SceneEditor2::select_all() {
 
 void SceneEditor2::select_none() { select({}); }
 
-void SceneEditor2::select_groups() {
-  std::set<std::uint32_t> groups;
-  for (const std::uint32_t s : selected_) groups.insert(scene()->surfaces[s].group);
-  std::vector<std::uint32_t> all;
-  for (std::uint32_t s = 0; s < scene()->surfaces.size(); ++s)
-    if (groups.contains(scene()->surfaces[s].group)) all.push_back(s);
-  select(std::move(all));
-}
+void SceneEditor2::select_groups() { select(whole_groups(*scene(), selected_)); }
 
 void SceneEditor2::select_in(const Place2& corner, const Place2& opposite, bool adds) {
-  std::vector<std::uint32_t> inside = picker_->in_rectangle(corner, opposite);
+  Selection inside = picker_->in_rectangle(corner, opposite);
   if (adds) inside.insert(inside.end(), selected_.begin(), selected_.end());
   select(std::move(inside));
-}
-
-// Takes what was touched into the selection, or out of it.
-void SceneEditor2::toggle(const Pick2& pick, bool is_whole) {
-  const std::vector<std::uint32_t> before = selected_;
-  select({*pick.surface});
-  if (is_whole) select_groups();
-  std::vector<std::uint32_t> all = before;
-  const bool was_there = std::ranges::binary_search(before, *pick.surface);
-  if (was_there)
-    std::erase_if(all, [&](std::uint32_t s) { return std::ranges::binary_search(selected_, s); });
-  else
-    all.insert(all.end(), selected_.begin(), selected_.end());
-  select(std::move(all));
 }
 
 bool SceneEditor2::press(const Pointer2& pointer) {
@@ -117,7 +86,8 @@ bool SceneEditor2::press(const Pointer2& pointer) {
   const Pick2 found = pick(pointer);
   if (!found.surface) return false;
   if (pointer.adds) {
-    toggle(found, pointer.is_whole);
+    const Selection touched{*found.surface};
+    select(toggled(selected_, *found.surface, pointer.is_whole ? whole_groups(*scene(), touched) : touched));
     return true;
   }
   const bool is_selected = std::ranges::binary_search(selected_, *found.surface);
@@ -148,18 +118,6 @@ std::uint32_t SceneEditor2::surface_at(const Point2& vertex, std::uint32_t surfa
   const std::vector<Edge2>& edges = scene()->edges;
   if (ends_there(edges[surface])) return surface;
   return static_cast<std::uint32_t>(std::ranges::find_if(edges, ends_there) - edges.begin());
-}
-
-// Whether the selection is furniture: groups of several surfaces, each as a whole.
-bool SceneEditor2::is_of_whole_groups() const {
-  const std::vector<std::size_t> there = group_sizes(*scene());
-  std::vector<std::size_t> wanted(there.size());
-  for (const std::uint32_t s : selected_) ++wanted[scene()->surfaces[s].group];
-  const auto is_whole = [&](std::uint32_t s) {
-    const std::uint32_t group = scene()->surfaces[s].group;
-    return there[group] > 1 && wanted[group] == there[group];
-  };
-  return !selected_.empty() && std::ranges::all_of(selected_, is_whole);
 }
 
 // Each once, in the order of is_before.
@@ -243,33 +201,26 @@ void SceneEditor2::cancel() {
   held_light_.reset();
 }
 
-std::string SceneEditor2::undo() {
-  if (is_dragging()) {
-    cancel();
-    return "drag dropped";
-  }
+// To the scene before the last step, or to the one after it.
+std::string SceneEditor2::go(bool is_back) {
   const std::shared_ptr<const Scene2> before = scene();
-  const std::string what = history_.what_undo();
-  if (!history_.undo()) return "";
+  const std::string what = is_back ? history_.what_undo() : history_.what_redo();
+  if (!(is_back ? history_.undo() : history_.redo())) return "";
   held_.reset();
   held_light_.reset();
   set_selected_names(*before, selected_);
   vertex_.reset();
   changed();
-  return "undone: " + what;
+  return (is_back ? "undone: " : "done again: ") + what;
 }
 
-std::string SceneEditor2::redo() {
-  const std::shared_ptr<const Scene2> before = scene();
-  const std::string what = history_.what_redo();
-  if (!history_.redo()) return "";
-  held_.reset();
-  held_light_.reset();
-  set_selected_names(*before, selected_);
-  vertex_.reset();
-  changed();
-  return "done again: " + what;
+std::string SceneEditor2::undo() {
+  if (!is_dragging()) return go(true);
+  cancel();
+  return "drag dropped";
 }
+
+std::string SceneEditor2::redo() { return go(false); }
 
 std::string SceneEditor2::move_by(const Rational& dx, const Rational& dy) {
   if (is_dragging() || (dx == 0 && dy == 0)) return "";

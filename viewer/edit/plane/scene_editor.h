@@ -15,6 +15,7 @@
 #include "viewer/edit/plane/pick.h"
 #include "viewer/edit/plane/scene_edits.h"
 #include "viewer/edit/plane/snapping.h"
+#include "viewer/edit/selection.h"
 
 namespace hottel {
 
@@ -60,10 +61,10 @@ class SceneEditor2 {
   std::optional<LightHold> pick_light(const Pointer2& pointer) const;
 
   // The surfaces that are selected, ascending, and the vertex, where one is.
-  const std::vector<std::uint32_t>& selected() const { return selected_; }
+  const Selection& selected() const { return selected_; }
   const std::optional<Point2>& selected_vertex() const { return vertex_; }
   const std::optional<std::uint32_t>& selected_light() const { return light_; }
-  void select(std::vector<std::uint32_t> surfaces);
+  void select(Selection surfaces);
   void select_all();
   void select_none();
   void select_groups();  // all surfaces of the groups that something is selected of
@@ -93,8 +94,8 @@ class SceneEditor2 {
   std::string add_lamp(const Point2& centre, const Rational& half_size);
   std::string add_light(const Point2& place);
 
-  // Changes a light and the rotation of its axis. change: what to do to them.
-  std::string change_light(std::uint32_t light, const std::function<void(Light&, Rational&)>& change);
+  // Gives a light other values and its axis another rotation.
+  std::string change_light(std::uint32_t light, const Light& values, const Rational& rotation);
 
   // Changes the material of a face, for all that have it; copies_first: for the face's group alone. Nothing where the
   // face has none. change: what to do to it.
@@ -114,20 +115,20 @@ class SceneEditor2 {
   void select_light(std::uint32_t light);
   void hold_light(const Pointer2& pointer);
   void drag_light(const Pointer2& pointer);
-  void set_selected_names(const Scene2& before, const std::vector<std::uint32_t>& surfaces);
+  void set_selected_names(const Scene2& before, const Selection& surfaces);
+  std::string go(bool is_back);
+  bool is_of_whole_groups() const { return is_furniture(*scene(), selected_); }
   std::uint32_t surface_at(const Point2& vertex, std::uint32_t surface) const;
-  bool is_of_whole_groups() const;
   Scene2 moved(const Scene2& scene, const Held& held, const Point2& to) const;
   std::vector<Point2> ends_of_selection(const Scene2& scene) const;
   std::vector<PointMove2> moves_of_selection(const Scene2& scene, const Rational& dx, const Rational& dy) const;
   std::vector<std::uint32_t> surfaces_that_move(const Scene2& scene, const Held& held) const;
-  void toggle(const Pick2& pick, bool is_whole);
 
   EditHistory<Scene2> history_;
   std::uint64_t version_ = 0;
   std::shared_ptr<const Scene2> picked_;  // what the picker was made of
   std::unique_ptr<ScenePick2> picker_;
-  std::vector<std::uint32_t> selected_, selected_before_;  // before: of the scene before the drag
+  Selection selected_, selected_before_;  // before: of the scene before the drag
   std::optional<Point2> vertex_;
   std::optional<std::uint32_t> light_;
   std::optional<Held> held_;

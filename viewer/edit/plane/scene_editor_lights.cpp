@@ -53,12 +53,8 @@ std::string SceneEditor2::add_light(const Point2& place) {
                    static_cast<std::uint32_t>(scene()->lights.size()));
 }
 
-std::string SceneEditor2::change_light(std::uint32_t light, const std::function<void(Light&, Rational&)>& change) {
+std::string SceneEditor2::change_light(std::uint32_t light, const Light& values, const Rational& rotation) {
   if (is_dragging()) return "";
-  HOTTEL_REQUIRE(light < scene()->lights.size());
-  Light values = scene()->lights[light];
-  Rational rotation = scene()->light_places[light].rotation;
-  change(values, rotation);
   return set_light(hottel::set_light(*scene(), light, values, rotation), "changed", "change", light);
 }
 

@@ -1,7 +1,5 @@
 #include "viewer/edit/space/scene_editor.h"
 
-#include <algorithm>
-#include <set>
 #include <utility>
 
 #include "kernel/support/failure.h"
@@ -39,15 +37,8 @@ void SceneEditor3::select_light(std::uint32_t light) {
 // Selects what is called as it was in another scene.
 void SceneEditor3::keep_selection(const Scene3& before) {
   corner_.reset();
-  std::set<std::string> names;
-  for (const std::uint32_t s : selected_) names.insert(before.surfaces[s].name);
-  selected_.clear();
-  for (std::uint32_t s = 0; !names.empty() && s < scene()->surfaces.size(); ++s)
-    if (names.contains(scene()->surfaces[s].name)) selected_.push_back(s);
-  if (!light_) return;
-  const std::vector<Light>& lights = scene()->lights;
-  const auto found = std::ranges::find(lights, before.lights[*light_].name, &Light::name);
-  light_ = found == lights.end() ? std::nullopt : std::optional(static_cast<std::uint32_t>(found - lights.begin()));
+  selected_ = selection_called_as(before, selected_, *scene());
+  light_ = light_called_as(before, light_, *scene());
 }
 
 bool SceneEditor3::refuses(const Scene3& next, std::uint32_t light, const Point3* before) {
@@ -103,27 +94,23 @@ void SceneEditor3::cancel() {
   let_go();
 }
 
-std::string SceneEditor3::undo() {
-  if (is_dragging()) {
-    cancel();
-    return "drag dropped";
-  }
+// To the scene before the last step, or to the one after it.
+std::string SceneEditor3::go(bool is_back) {
   const std::shared_ptr<const Scene3> before = scene();
-  const std::string what = history_.what_undo();
-  if (!history_.undo()) return "";
+  const std::string what = is_back ? history_.what_undo() : history_.what_redo();
+  if (!(is_back ? history_.undo() : history_.redo())) return "";
   let_go();
   keep_selection(*before);
-  return "undone: " + what;
+  return (is_back ? "undone: " : "done again: ") + what;
 }
 
-std::string SceneEditor3::redo() {
-  const std::shared_ptr<const Scene3> before = scene();
-  const std::string what = history_.what_redo();
-  if (!history_.redo()) return "";
-  let_go();
-  keep_selection(*before);
-  return "done again: " + what;
+std::string SceneEditor3::undo() {
+  if (!is_dragging()) return go(true);
+  cancel();
+  return "drag dropped";
 }
+
+std::string SceneEditor3::redo() { return go(false); }
 
 // What is held is of the scene before.
 void SceneEditor3::set(Scene3 next, const std::string& what) {

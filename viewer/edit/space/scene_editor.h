@@ -10,6 +10,7 @@
 
 #include "geometry/space/scene/scene.h"
 #include "viewer/edit/edit_history.h"
+#include "viewer/edit/selection.h"
 #include "viewer/edit/space/light_handles.h"
 #include "viewer/edit/space/pick.h"
 #include "viewer/edit/space/scene_edits.h"
@@ -56,11 +57,11 @@ class SceneEditor3 {
   // What the ray of the mouse meets first.
   std::optional<Pick3> pick(const Pointer3& pointer) const;
   // The surfaces that are selected, ascending, and the corner, where one is.
-  const std::vector<std::uint32_t>& selected() const { return selected_; }
+  const Selection& selected() const { return selected_; }
   const std::optional<Point3>& selected_corner() const { return corner_; }
-  void select(std::vector<std::uint32_t> surfaces);
-  void select_groups();                              // all surfaces of the groups that something is selected of
-  void toggle(std::vector<std::uint32_t> surfaces);  // into the selection, or where the first is of it, out of it
+  void select(Selection surfaces);
+  void select_groups();                    // all surfaces of the groups that something is selected of
+  void toggle(const Selection& surfaces);  // into the selection, or where the first is of it, out of it
   void select_none() { select({}); }
 
   // A button goes down: selects the light that is there. False where none is.
@@ -115,10 +116,11 @@ class SceneEditor3 {
   void set(Scene3 next, const std::string& what);
   void let_go();
   void keep_selection(const Scene3& before);
+  std::string go(bool is_back);
+  bool is_of_whole_groups() const { return is_furniture(*scene(), selected_); }
   std::optional<std::uint32_t> selected_there(const Pointer3& pointer, const std::optional<Face>& is_there) const;
   std::optional<Grip> grip_at(const Pointer3& pointer, const std::optional<Face>& is_there) const;
   std::string text_of_selection() const;
-  bool is_of_whole_groups() const;
   Corners3 corners_of_selection(const Scene3& scene) const;
   Freedom3 freedom(const Scene3& scene, const Pointer3& pointer) const;
   Scene3 moved(const Scene3& scene, const Vector3& way) const;
@@ -136,7 +138,7 @@ class SceneEditor3 {
   MayStand may_stand_;
   std::string refusal_;
   std::optional<std::uint32_t> light_;
-  std::vector<std::uint32_t> selected_;
+  Selection selected_;
   std::optional<Point3> corner_;
   std::optional<LightHold> held_;
   std::optional<Grip> grip_;

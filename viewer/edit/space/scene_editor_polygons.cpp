@@ -34,43 +34,17 @@ std::optional<Pick3> SceneEditor3::pick(const Pointer3& pointer) const {
   return picker_->at(pointer);
 }
 
-void SceneEditor3::select(std::vector<std::uint32_t> surfaces) {
+void SceneEditor3::select(Selection surfaces) {
   for (const std::uint32_t s : surfaces) HOTTEL_REQUIRE(s < scene()->surfaces.size());
-  std::sort(surfaces.begin(), surfaces.end());
-  surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
-  selected_ = std::move(surfaces);
+  selected_ = selection_of(std::move(surfaces));
   corner_.reset();
   light_.reset();
 }
 
-void SceneEditor3::select_groups() {
-  std::vector<bool> is_wanted(scene()->groups.size());
-  for (const std::uint32_t s : selected_) is_wanted[scene()->surfaces[s].group] = true;
-  std::vector<std::uint32_t> all;
-  for (std::uint32_t s = 0; s < scene()->surfaces.size(); ++s)
-    if (is_wanted[scene()->surfaces[s].group]) all.push_back(s);
-  select(std::move(all));
-}
+void SceneEditor3::select_groups() { select(whole_groups(*scene(), selected_)); }
 
-void SceneEditor3::toggle(std::vector<std::uint32_t> surfaces) {
-  if (surfaces.empty()) return;
-  std::vector<std::uint32_t> all = selected_;
-  if (std::ranges::binary_search(selected_, surfaces.front()))
-    std::erase_if(all, [&](std::uint32_t s) { return std::ranges::find(surfaces, s) != surfaces.end(); });
-  else
-    all.insert(all.end(), surfaces.begin(), surfaces.end());
-  select(std::move(all));
-}
-
-// Whether the selection is furniture: groups of several surfaces, each as a whole.
-bool SceneEditor3::is_of_whole_groups() const {
-  const std::vector<std::size_t> there = group_sizes(*scene());
-  std::vector<std::size_t> wanted(there.size());
-  for (const std::uint32_t s : selected_) ++wanted[scene()->surfaces[s].group];
-  return !selected_.empty() && std::ranges::all_of(selected_, [&](std::uint32_t s) {
-    const std::uint32_t group = scene()->surfaces[s].group;
-    return there[group] > 1 && wanted[group] == there[group];
-  });
+void SceneEditor3::toggle(const Selection& surfaces) {
+  if (!surfaces.empty()) select(toggled(selected_, surfaces.front(), surfaces));
 }
 
 // "the box", "floor", "3 polygons".

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
-#include <thread>
 
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/prepared/prepared_scene.h"
@@ -19,7 +17,6 @@
 #include "kernel/decimal.h"
 #include "kernel/rounding.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/interrupt.h"
 #include "solver/plane/check/scene_check.h"
 #include "solver/plane/compare/method_comparison.h"
 #include "solver/plane/methods/computed_factors.h"
@@ -33,7 +30,6 @@ namespace {
 
 constexpr std::array<const char*, kViewModes2> kWords{"light", "floor",  "bands", "visibility", "factors",
                                                       "pair",  "errors", "check", "plan",       "sweeps"};
-constexpr auto kBetweenSweeps = std::chrono::milliseconds(100);
 
 std::string text_of(const Point2& p) { return fmt::format("({}, {})", decimal_text(p.x), decimal_text(p.y)); }
 
@@ -127,11 +123,7 @@ void add_errors(const LiveState2& state, ViewResult2& result, const StageProgres
   if (!result.plan->colouring) result.plan.reset();
   result.times = fmt::format("exact {:.3g} ms   {} {:.3g} ms", 1e3 * seconds_of(*state.factors), found.info.name,
                              1e3 * found.timing.median);
-  result.lines = {found.info.name, fmt::format("largest error of a view factor {:.3g}", found.errors.max)};
-  if (found.max_radiosity_error && std::isfinite(*found.max_radiosity_error))
-    result.lines.push_back(fmt::format("of a radiosity {:.3g} of the largest", *found.max_radiosity_error));
-  else
-    result.lines.push_back("its radiosities cannot be had: there is no error to draw");
+  result.lines = error_lines(found);
   result.lines.push_back(result.times);
   result.number = shortest(found.errors.max);
 }
@@ -163,21 +155,15 @@ void add_sweeps(const LiveState2& state, ViewResult2& result, const StageProgres
     simulation = simulation.with_request(request);
     const auto radiosities = simulation.radiosities(progress);
     result.light = simulation.light(progress);
-    double residual = 0;
-    for (const ChannelSolution& channel : radiosities->channels)
-      if (!channel.residual_history.empty()) residual = std::max(residual, channel.residual_history.back());
-    result.lines = {fmt::format("{}, {} {}", to_string(result.request.solver), k,
-                                result.request.solver == Solver::kShooting ? "shots" : "sweeps"),
-                    fmt::format("residual {:.3g} of the largest source", residual),
-                    fmt::format("bounds of the radiosities {:.3g} wide, relative", radiosities->max_relative_width)};
-    result.number = shortest(residual);
+    SweepTexts texts = sweep_texts(request.solver, k, *radiosities);
+    result.lines = std::move(texts.lines);
+    result.lines.push_back(
+        fmt::format("bounds of the radiosities {:.3g} wide, relative", radiosities->max_relative_width));
+    result.number = std::move(texts.number);
     result.is_done = k == kMostSweeps;
-    if (result.is_done) return;
-    if (tell) tell(result);
-    for (auto waited = std::chrono::milliseconds(0); tell && waited < kBetweenSweeps; waited += kBetweenSweeps / 10) {
-      std::this_thread::sleep_for(kBetweenSweeps / 10);
-      throw_if_interrupted();
-    }
+    if (result.is_done || !tell) continue;
+    tell(result);
+    wait_between_sweeps();
   }
 }
 
@@ -185,11 +171,7 @@ void add_sweeps(const LiveState2& state, ViewResult2& result, const StageProgres
 
 const char* to_string(ViewMode2 mode) { return kWords[static_cast<std::size_t>(mode)]; }
 
-std::optional<ViewMode2> view_mode_2(std::string_view word) {
-  for (std::size_t k = 0; k < kWords.size(); ++k)
-    if (word == kWords[k]) return static_cast<ViewMode2>(k);
-  return std::nullopt;
-}
+std::optional<ViewMode2> view_mode_2(std::string_view word) { return mode_of<ViewMode2>(word, kWords); }
 
 bool shows_light_at_mouse(ViewMode2 mode) {
   return mode == ViewMode2::kLight || mode == ViewMode2::kFloor || mode == ViewMode2::kBands ||

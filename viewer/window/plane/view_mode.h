@@ -15,6 +15,7 @@
 #include "solver/radiosity/radiosity_options.h"
 #include "viewer/picture/plane/scene_picture.h"
 #include "viewer/picture/plane/visibility_picture.h"
+#include "viewer/window/mode_texts.h"
 #include "viewer/window/plane/live_scene.h"
 
 namespace hottel {
@@ -91,6 +92,5 @@ bool needs_work(const ViewRequest2& request);
 //   (2) kErrors: as `compare` computes it; the seconds of the exact factors are those of one run
 ViewResult2 compute_view(const LiveState2& state, const ViewRequest2& request, const StageProgress& progress,
                          const std::function<void(ViewResult2)>& tell = {});
-inline constexpr int kMostSweeps = 50;
 
 }  // namespace hottel

@@ -10,13 +10,11 @@
 #include "kernel/support/failure.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/plane/drawable.h"
-#include "viewer/window/file_questions.h"
 #include "viewer/window/plane/viewer_script.h"
 
 namespace hottel {
 namespace {
 
-constexpr double kSecondsBetweenFileChecks = 1;
 constexpr std::uint32_t kMostPixelsPerCell = 8;
 constexpr double kEvenLight = 2;  // the brightest over the mean, below which light is even
 constexpr double kFreeSides = 40, kFreeTop = 64, kFreeBottom = 134;     // units around the scene
@@ -26,12 +24,10 @@ constexpr double kMostSide = 0.1, kMostTop = 0.16, kMostBottom = 0.34;  // of th
 
 Viewer2::Viewer2(const std::filesystem::path& file, Window& window, SimulationRequest2 request, double scale,
                  std::optional<Scene2> read, MapSide2 side)
-    : window_(window),
-      unit_(scale),
+    : SceneViewer(window, scale, kUsualTone2, commands(), gestures()),
       file_(file, side),
       editor_(read ? std::move(*read) : file_.read()),
-      views_(std::move(request), [&window] { window.wake(); }),
-      size_(window.size()) {
+      views_(std::move(request), [&window] { window.wake(); }) {
   if (read) file_.note();
   require_drawable(*editor_.scene());
   fit();
@@ -94,17 +90,11 @@ void Viewer2::request_changed() {
   needs_frame_ = true;
 }
 
-bool Viewer2::update() {
-  if (views_.collect()) {
-    needs_base_ = true;
-    choose_tone();
-    views_.set_tone(tone_, texture_pixels());
-  }
-  watch_file();
-  if (!needs_base_ && !needs_frame_) return false;
-  draw();
-  window_.show(frame_);
-  return true;
+void Viewer2::collect() {
+  if (!views_.collect()) return;
+  needs_base_ = true;
+  choose_tone();
+  views_.set_tone(tone_, texture_pixels());
 }
 
 void Viewer2::settle(double seconds) {
@@ -115,8 +105,6 @@ void Viewer2::settle(double seconds) {
   views_.wait(seconds);  // what the light at rest asks for: a finer texture
   update();
 }
-
-void Viewer2::run() { run_viewer(*this, window_, kSecondsBetweenFileChecks); }
 
 Pixel Viewer2::pixel_of_place(std::span<const double> place) const {
   if (place.size() != 2) throw UsageError("a place of a scene in the plane is X,Y");
@@ -131,21 +119,6 @@ void Viewer2::choose_tone() {
   if (has_tone_ || !lit || !shines(lit->light->grid)) return;
   has_tone_ = true;
   tone_ = first_tone(lit->light->grid.values, lit->light->grid.channels, kEvenLight, kUsualTone2);
-}
-
-// Tells what has become of the file.
-void Viewer2::watch_file() {
-  until_watch_ -= since_watch_.lap();
-  if (until_watch_ > 0 || prompt_) return;
-  until_watch_ = kSecondsBetweenFileChecks;
-  const FileNews news = file_.news();
-  if (news == FileNews::kNone) return;
-  const bool is_changed = editor_.history().is_changed() || editor_.is_dragging();
-  FileAnswer answer = answer_to(news, file_, is_changed, [this] { read_again(); });
-  if (answer.is_to_be_read) read_again();
-  if (message_.empty()) message_ = answer.message;
-  prompt_ = std::move(answer.question);
-  needs_frame_ = true;
 }
 
 void Viewer2::read_again() {
@@ -164,30 +137,9 @@ void Viewer2::read_again() {
   scene_changed();
 }
 
-std::string Viewer2::save() {
-  try {
-    file_.write(*editor_.scene());
-    editor_.mark_saved();
-    message_ = "saved " + file_.path().string();
-    return "";
-  } catch (const std::runtime_error& error) {
-    message_ = std::string("not saved: ") + error.what();
-    return message_;
-  }
-}
-
-void Viewer2::save_as(const std::filesystem::path& file) {
+void Viewer2::write(const std::filesystem::path& file) {
   file_.write_as(file, *editor_.scene());
   editor_.mark_saved();
-  message_ = "saved " + file.string();
-  needs_frame_ = true;
-}
-
-void Viewer2::quit() {
-  const auto leave = [this] { wants_quit_ = true; };
-  if (!quitting_loses(file_, editor_.history().is_changed())) return leave();
-  prompt_ = quit_question(
-      file_, [this] { return save(); }, leave);
 }
 
 void Viewer2::save_picture(const std::filesystem::path& file) const {

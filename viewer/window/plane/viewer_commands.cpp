@@ -32,8 +32,7 @@ void Viewer2::command(std::string_view name) {
     throw UsageError("there is no command called '" + std::string(name) + "'");
   if (message_.empty() && !prompt_ && editor_.version() == before) message_ = why_nothing(name);
   scene_changed();
-  touch();
-  request_changed();
+  follow_mouse();
 }
 
 // Why a command changed nothing; empty for those that do not change the scene.
@@ -59,39 +58,17 @@ bool Viewer2::view_command(std::string_view name) {
     if (is_fitted_) fit();
     needs_base_ = true;
   } else if (name == "next" || name == "previous") {
-    next_choice(name == "next" ? 1 : -1);
+    message_ = take_next(request_, methods_2(), name == "next" ? 1 : -1);
   } else if (name == "again") {
     views_.compute_again();
   } else if (name == "closed form") {
     request_.wants_closed_form = !request_.wants_closed_form;
-  } else if (name == "tone") {
-    tone_.tone = next_of(kTones, tone_.tone, 1);
-    has_tone_ = true;
-  } else if (name == "darker" || name == "brighter") {
-    tone_.exposure *= name == "brighter" ? kExposureStep : 1 / kExposureStep;
-    has_tone_ = true;
-  } else if (name == "page up" || name == "page down") {
-    if (!scrolls_.turn(name == "page up" ? -1 : 1, mouse_)) message_ = "no text has more to show";
-  } else if (name == "fit") {
-    fit();
-  } else if (name == "help") {
-    shows_help_ = !shows_help_;
-  } else {
+  } else if (!frame_command(name)) {
     return false;
   }
   views_.set_tone(tone_, texture_pixels());
   needs_base_ = true;
   return true;
-}
-
-void Viewer2::next_choice(int step) {
-  if (request_.mode == ViewMode2::kSweeps) {
-    request_.solver = next_of(kSolvers, request_.solver, step);
-    message_ = std::string("solver ") + to_string(request_.solver);
-  } else {
-    request_.method = next_of(approximate_methods(methods_2()), request_.method, step);
-    message_ = "method " + request_.method;
-  }
 }
 
 bool Viewer2::nudge(std::string_view name) {
@@ -130,8 +107,6 @@ bool Viewer2::edit_command(std::string_view name) {
   } else if (name == "lamp") {
     const Rational half = rounded_decimal(kLampPixels * unit_ / camera_.pixels_per_length(), decimals + 1);
     message_ = editor_.add_lamp(editor_.snap(pointer()).at, half);
-  } else if (name == "light") {
-    message_ = editor_.add_light(exact_mouse());
   } else if (name == "groups") {
     editor_.select_groups();
   } else if (name == "all") {
@@ -245,35 +220,6 @@ void Viewer2::ask_for_coordinates() {
                      scene_changed();
                      return std::string();
                    }};
-}
-
-bool Viewer2::file_command(std::string_view name) {
-  if (name == "save") {
-    save();
-  } else if (name == "save as") {
-    prompt_ = file_prompt("save as", file_.path().string(), [this](const std::string& file) { save_as(file); });
-  } else if (name == "picture") {
-    prompt_ = file_prompt("picture", file_.path().stem().string() + ".png", [this](const std::string& file) {
-      save_picture(file);
-      message_ = "saved " + file;
-    });
-  } else if (name == "copy number") {
-    const std::string number = views_.result() ? views_.result()->number : "";
-    if (!number.empty()) window_.set_clipboard(number);
-    message_ = number.empty() ? "there is no number to copy" : "copied " + number;
-    if (!number.empty() && views_.is_behind()) message_ += ", before the last edit";
-  } else if (name == "reload") {
-    if (editor_.history().is_changed())
-      prompt_ = Prompt{.question = "unsaved changes:  r  read the file again and drop them   escape  keep them",
-                       .keys = {{"r", [this] { read_again(); }}}};
-    else
-      read_again();
-  } else if (name == "quit") {
-    quit();
-  } else {
-    return false;
-  }
-  return true;
 }
 
 }  // namespace hottel

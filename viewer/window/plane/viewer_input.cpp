@@ -1,23 +1,12 @@
 // The events of a viewer.
-#include <cmath>
 #include <utility>
 
 #include "geometry/scene_names.h"
 #include "viewer/edit/decimals.h"
-#include "viewer/window/commands.h"
 #include "viewer/window/lights.h"
 #include "viewer/window/plane/viewer.h"
 
 namespace hottel {
-namespace {
-
-constexpr double kReach = 9;       // units that count as touching
-constexpr double kStill = 3;       // units that a click may wander
-constexpr double kPerNotch = 1.2;  // of the wheel
-
-double distance(const Pixel& a, const Pixel& b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
-}  // namespace
 
 Pointer2 Viewer2::pointer(const HeldKeys& held) const {
   return {.place = place(),
@@ -43,54 +32,14 @@ Point2 Viewer2::exact_mouse() const {
   return {rounded_decimal(at[0], decimals), rounded_decimal(at[1], decimals)};
 }
 
-void Viewer2::handle(const WindowEvent& event) {
-  using Kind = WindowEvent::Kind;
-  needs_frame_ = needs_frame_ || event.kind != Kind::kWake;
-  switch (event.kind) {
-    case Kind::kQuit:
-      return quit();
-    case Kind::kResize:
-      return resize();
-    case Kind::kMove:
-      return move(event);
-    case Kind::kLeave:
-      has_mouse_ = false;
-      touch();
-      return request_changed();
-    case Kind::kPress:
-      mouse_ = {event.x, event.y};
-      has_mouse_ = true;
-      return press(event);
-    case Kind::kRelease:
-      mouse_ = {event.x, event.y};
-      return release(event);
-    case Kind::kWheel:
-      return wheel(event);
-    case Kind::kKey:
-      if (prompt_) {
-        drops_text_ = false;
-        return answer_prompt(prompt_, event);
-      }
-      key(event);
-      drops_text_ = prompt_ && event.key.size() == 1 && !event.held.ctrl && !event.held.alt;
-      return;
-    case Kind::kText:
-      if (!std::exchange(drops_text_, false) && prompt_ && prompt_->keys.empty()) type_into(*prompt_, event.text);
-      return;
-    case Kind::kFocus:
-      until_watch_ = 0;
-      return;
-    case Kind::kWake:
-      return;
-  }
+void Viewer2::follow_mouse() {
+  touch();
+  request_changed();
 }
 
-// Scrolls a text, or zooms about what is under the mouse, which stays there.
-void Viewer2::wheel(const WindowEvent& event) {
-  mouse_ = {event.x, event.y};
-  has_mouse_ = true;
-  if (scrolls_.wheel(mouse_, event.wheel) || shows_help_) return;
-  camera_.zoom(mouse_, size_, std::pow(kPerNotch, event.wheel));
+// About what is under the mouse, which stays there.
+void Viewer2::zoom(double times) {
+  camera_.zoom(mouse_, size_, times);
   is_fitted_ = false;
   views_.set_tone(tone_, texture_pixels());
   needs_base_ = true;
@@ -99,11 +48,8 @@ void Viewer2::wheel(const WindowEvent& event) {
 }
 
 // The whole scene stays in sight, unless the view was moved by hand.
-void Viewer2::resize() {
-  const FrameSize before = size_;
-  size_ = window_.size();
-  needs_base_ = true;
-  if (is_fitted_ && size_ != before) fit();
+void Viewer2::size_changed() {
+  if (is_fitted_) fit();
 }
 
 void Viewer2::press(const WindowEvent& event) {
@@ -118,7 +64,7 @@ void Viewer2::press(const WindowEvent& event) {
     return;
   }
   if (tool_) return add_tool_point();
-  if (request_.mode == ViewMode2::kErrors && std::abs(mouse_.x - split_ * size_.width) < kReach * unit_) {
+  if (request_.mode == ViewMode2::kErrors && is_on_bar()) {
     drag_ = Drag::kBar;
     return;
   }
@@ -126,11 +72,8 @@ void Viewer2::press(const WindowEvent& event) {
   drag_ = editor_.press(pointer(event.held)) ? Drag::kEdit : event.held.shift ? Drag::kRectangle : Drag::kPan;
 }
 
-void Viewer2::move(const WindowEvent& event) {
-  const Pixel before = mouse_;
-  mouse_ = {event.x, event.y};
-  has_mouse_ = true;
-  has_moved_ = has_moved_ || distance(mouse_, pressed_) > kStill * unit_;
+void Viewer2::move(const Pixel& before) {
+  has_moved_ = has_moved_ || !is_still();
   switch (drag_) {
     case Drag::kNone:
       touch();
@@ -171,8 +114,7 @@ void Viewer2::release(const WindowEvent& event) {
   }
   if (ended == Drag::kRectangle) editor_.select_in(camera_.place_of(pressed_, size_), place(), held_.ctrl);
   if (ended == Drag::kPan && !has_moved_ && event.button == MouseButton::kLeft && !held_.shift) editor_.select_none();
-  touch();
-  request_changed();
+  follow_mouse();
 }
 
 // The face that is meant by pointing at an edge: its front where the back is black and exchanges nothing.
@@ -197,12 +139,6 @@ void Viewer2::click() {
     request_.other = face;
   }
   needs_base_ = true;
-}
-
-void Viewer2::key(const WindowEvent& event) {
-  if (event.held == HeldKeys() && scrolls_.key(event.key, mouse_, shows_help_ ? "help" : "")) return;
-  const std::string_view name = command_of_key(key_text(event));
-  if (!name.empty()) command(name);
 }
 
 }  // namespace hottel

@@ -10,19 +10,15 @@
 #include "kernel/support/failure.h"
 #include "solver/plane/methods/computed_factors.h"
 #include "viewer/edit/decimals.h"
-#include "viewer/edit/light_edits.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/palette.h"
-#include "viewer/window/commands.h"
-#include "viewer/window/file_questions.h"
-#include "viewer/window/help.h"
+#include "viewer/window/lights.h"
 #include "viewer/window/plane/viewer.h"
 #include "viewer/window/viewer_texts.h"
 
 namespace hottel {
 namespace {
 
-constexpr double kGap = 12;                         // units between boxes and the border
 constexpr double kLegends = 138, kLeastText = 110;  // units that legends take, and texts at least
 constexpr Colour kSelected = palette::kTarget, kTouched{0.02, 0.62, 0.83, 0.55}, kDimmed{0.992, 0.988, 0.980, 0.62};
 constexpr Colour kChanged{0.98, 0.72, 0.10, 0.9};  // edges whose light is not there yet
@@ -67,6 +63,13 @@ void Viewer2::draw_base() {
     base_ = Raster(size_.width, size_.height, kBlank);
     message_ = error.what();
   }
+}
+
+void Viewer2::draw_marks_of_hand(PictureCanvas& canvas) {
+  draw_lights(canvas);
+  draw_selection(canvas);
+  draw_tool(canvas);
+  draw_problem(canvas);
 }
 
 void Viewer2::draw_selection(PictureCanvas& canvas) const {
@@ -119,13 +122,13 @@ void Viewer2::draw_problem(PictureCanvas& canvas) {
   const LiveState2& state = views_.state();
   if (state.problem.empty()) return;
   const Frame2 frame = camera_.frame(size_);
-  Panel panel{.lines = {"no light"}, .is_warning = true};
+  std::vector<std::string> lines{"no light"};
   const auto mark = [&](const Pixel& at) {
     canvas.circle(Mark::kCritical, at, 12 * unit_, palette::kSecond, 3.5 * unit_);
   };
   for (const Finding2& error : state.errors) {
-    panel.lines.push_back(error.message);
-    if (!error.suggestion.empty()) panel.lines.push_back(error.suggestion);
+    lines.push_back(error.message);
+    if (!error.suggestion.empty()) lines.push_back(error.suggestion);
     if (error.at) mark(frame.at(*error.at));
     for (const std::uint32_t s : error.surfaces)
       if (s < state.scene->edges.size())
@@ -134,16 +137,9 @@ void Viewer2::draw_problem(PictureCanvas& canvas) {
   }
   for (const Edge2& edge : state.scene->edges)
     if (edge.from == edge.to) mark(frame.at(edge.from));
-  if (state.errors.empty()) panel.lines.push_back(state.problem);
-  draw_panel(canvas, panel,
-             {.corner = {kGap * unit_, 52 * unit_},
-              .width = side_width(canvas, 0.45, unit_),
-              .height = 0.7 * size_.height,
-              .scroll = &scrolls_.of("problem")},
-             unit_);
+  if (state.errors.empty()) lines.push_back(state.problem);
+  draw_warning(canvas, std::move(lines));
 }
-
-std::string Viewer2::file_title() const { return title_of(file_, editor_.history().is_changed()); }
 
 std::string Viewer2::head() const {
   const LiveState2& state = views_.state();
@@ -176,8 +172,7 @@ std::string Viewer2::status() const {
   const Scene2& scene = *shown_scene();
   if (hover_light_ && hover_light_->light < scene.lights.size()) {
     const std::uint32_t light = hover_light_->light;
-    text += "   " + scene.lights[light].name + ": " +
-            light_text(scene.lights[light], {&scene.light_places[light].rotation, 1});
+    text += "   " + light_line(scene.lights[light], {&scene.light_places[light].rotation, 1});
   }
   if (hover_.surface && *hover_.surface < scene.surfaces.size()) {
     text += "   " + face_name(scene, hover_.face);
@@ -212,9 +207,7 @@ void Viewer2::make_legend() {
 }
 
 void Viewer2::draw_texts(PictureCanvas& canvas) {
-  std::string line = message_;
-  if (const std::string now = status(); !now.empty()) line += (line.empty() ? "" : "   ") + now;
-  TextRoom room = draw_head_and_line(canvas, head(), line, scrolls_, unit_);
+  TextRoom room = draw_head(canvas);
   draw_light_legend(canvas, room.bottom);
   const bool has_text =
       (request_.mode == ViewMode2::kVisibility || !shows_light_at_mouse(request_.mode)) && views_.result() != nullptr;
@@ -223,28 +216,6 @@ void Viewer2::draw_texts(PictureCanvas& canvas) {
   room.bottom = std::max(std::min(room.bottom, above_legends), std::min(room.bottom, room.top + kLeastText * unit_));
   const SideText text{std::string("look ") + to_string(request_.mode), views_.result()->lines};
   draw_side_texts(canvas, {&text, 1}, kPanelWidth, room, scrolls_, unit_);
-}
-
-void Viewer2::draw() {
-  if (needs_base_ || base_.width != size_.width || base_.height != size_.height) draw_base();
-  frame_ = base_;
-  CairoCanvas canvas(frame_);
-  scrolls_.begin_frame();
-  draw_lights(canvas);
-  draw_selection(canvas);
-  draw_tool(canvas);
-  draw_problem(canvas);
-  if (shows_help_)
-    draw_help(canvas, commands(), gestures(), scrolls_.of("help"), unit_);
-  else
-    draw_texts(canvas);
-  if (prompt_) draw_prompt(canvas, *prompt_, scrolls_.of("prompt"), unit_);
-  scrolls_.end_frame();
-  canvas.finish();
-  std::string title = file_title() + " - hottel";
-  if (title != title_) window_.set_title(title);
-  title_ = std::move(title);
-  needs_frame_ = false;
 }
 
 }  // namespace hottel

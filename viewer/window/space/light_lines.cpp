@@ -1,21 +1,12 @@
 #include "viewer/window/space/light_lines.h"
 
-#include <array>
-
 #include "kernel/decimal.h"
-#include "viewer/edit/light_edits.h"
 #include "viewer/edit/material_edits.h"
 
 namespace hottel {
 
 std::string coordinates_text_3(const Point3& p) {
   return short_text(p.x) + ", " + short_text(p.y) + ", " + short_text(p.z);
-}
-
-std::string light_line_3(const Scene3& scene, std::uint32_t light) {
-  const Vector3& rates = scene.light_places[light].rotation;
-  const std::array<Rational, 3> rotation{rates.x, rates.y, rates.z};
-  return scene.lights[light].name + ": " + light_text(scene.lights[light], rotation);
 }
 
 std::vector<std::string> light_lines_3(const Scene3& scene, std::uint32_t light) {

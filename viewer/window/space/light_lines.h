@@ -12,9 +12,6 @@ namespace hottel {
 // "1, 2.5, 0", in short decimals: as it is typed.
 std::string coordinates_text_3(const Point3& p);
 
-// In one line: "torch: power 5; focus 20; falloff 0; rotation 0 0 30".
-std::string light_line_3(const Scene3& scene, std::uint32_t light);
-
 // The lines of a panel: its name, where it is, and its values.
 std::vector<std::string> light_lines_3(const Scene3& scene, std::uint32_t light);
 

@@ -4,15 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
-#include <thread>
 #include <utility>
 
 #include "geometry/scene_names.h"
 #include "io/results/solve_report.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/interrupt.h"
 #include "solver/space/compare/method_comparison.h"
 #include "solver/space/methods/method_catalogue.h"
 #include "viewer/edit/material_edits.h"
@@ -26,7 +23,6 @@ namespace {
 constexpr std::array<const char*, kViewModes3> kWords{"light",  "radiosity", "irradiance", "factors",
                                                       "errors", "plan",      "sweeps"};
 
-constexpr auto kBetweenSweeps = std::chrono::milliseconds(100);
 constexpr double kDecades = 1e-4;  // least over largest factor of the scale
 
 // All digits of a double.
@@ -96,11 +92,7 @@ void add_errors(const ViewRequest3& request, const StageProgress& progress, View
   progress("comparison", 0.5);
   const MethodResult found = comparison.run(*methods_3().make(request.method), 1);
   result.shown = error_values_3(comparison, found);
-  result.lines = {found.info.name, fmt::format("largest error of a view factor {:.3g}", found.errors.max)};
-  if (found.max_radiosity_error && std::isfinite(*found.max_radiosity_error))
-    result.lines.push_back(fmt::format("of a radiosity {:.3g} of the largest", *found.max_radiosity_error));
-  else
-    result.lines.push_back("its radiosities cannot be had: there is no error to draw");
+  result.lines = error_lines(found);
   result.lines.push_back(fmt::format("{:.3g} ms", 1e3 * found.timing.median));
   result.number = shortest(found.errors.max);
 }
@@ -109,23 +101,16 @@ void add_errors(const ViewRequest3& request, const StageProgress& progress, View
 void add_sweeps(const ViewRequest3& request, const StageProgress& progress,
                 const std::function<void(ViewResult3)>& tell, ViewResult3& result) {
   const Simulation3& simulation = result.version->of().simulation();
-  for (int k = 0; k <= kMostSweeps3; ++k) {
+  for (int k = 0; k <= kMostSweeps; ++k) {
     SimulationRequest3 asked = simulation.request();
     asked.system = {.solver = request.solver, .iterations = k};
     result.radiosities = simulation.with_request(asked).radiosities(progress);
-    double residual = 0;
-    for (const ChannelSolution& channel : result.radiosities->channels)
-      if (!channel.residual_history.empty()) residual = std::max(residual, channel.residual_history.back());
-    result.lines = {fmt::format("{}, {} {}", to_string(request.solver), k,
-                                request.solver == Solver::kShooting ? "shots" : "sweeps"),
-                    fmt::format("residual {:.3g} of the largest source", residual)};
-    result.number = shortest(residual);
-    if (k == kMostSweeps3 || !tell) continue;
+    SweepTexts texts = sweep_texts(request.solver, k, *result.radiosities);
+    result.lines = std::move(texts.lines);
+    result.number = std::move(texts.number);
+    if (k == kMostSweeps || !tell) continue;
     tell(result);
-    for (auto waited = std::chrono::milliseconds(0); waited < kBetweenSweeps; waited += kBetweenSweeps / 10) {
-      std::this_thread::sleep_for(kBetweenSweeps / 10);
-      throw_if_interrupted();
-    }
+    wait_between_sweeps();
   }
 }
 
@@ -133,11 +118,7 @@ void add_sweeps(const ViewRequest3& request, const StageProgress& progress,
 
 const char* to_string(ViewMode3 mode) { return kWords[static_cast<std::size_t>(mode)]; }
 
-std::optional<ViewMode3> view_mode_3(std::string_view word) {
-  for (std::size_t k = 0; k < kWords.size(); ++k)
-    if (word == kWords[k]) return static_cast<ViewMode3>(k);
-  return std::nullopt;
-}
+std::optional<ViewMode3> view_mode_3(std::string_view word) { return mode_of<ViewMode3>(word, kWords); }
 
 bool needs_work(const ViewRequest3& request) { return request.mode != ViewMode3::kLight; }
 

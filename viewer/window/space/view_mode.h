@@ -15,6 +15,7 @@
 #include "solver/radiosity/radiosity_options.h"
 #include "viewer/picture/shown_values.h"
 #include "viewer/picture/space/element_paint.h"
+#include "viewer/window/mode_texts.h"
 #include "viewer/window/space/live_version.h"
 
 namespace hottel {
@@ -63,12 +64,11 @@ bool needs_work(const ViewRequest3& request);
 //   (1) kFactors: the doubles of factors.csv, of whole polygons, all digits of them, largest first, and what is
 //       guaranteed of each
 //   (2) kErrors: as `compare` computes it
-//   (3) kSweeps: after k sweeps, k = 0, 1, ..., kMostSweeps3, the light is that of `solve --solver S --iterations k`.
+//   (3) kSweeps: after k sweeps, k = 0, 1, ..., kMostSweeps, the light is that of `solve --solver S --iterations k`.
 //       tell gets each of them, at most ten a second
 // REQUIRES a version with light.
 ViewResult3 compute_view_3(const LiveVersion3::Ptr& version, const ViewRequest3& request, const StageProgress& progress,
                            const std::function<void(ViewResult3)>& tell = {});
-inline constexpr int kMostSweeps3 = 50;
 
 // What a frame shows and the mouse points at: one version, and what was computed from it for the view mode. The version
 // is always that of the result, so two versions are never shown together.

@@ -20,14 +20,13 @@
 #include "viewer/picture/png_file.h"
 #include "viewer/picture/space/camera_view.h"
 #include "viewer/picture/space/render_picture.h"
-#include "viewer/window/file_questions.h"
 #include "viewer/window/script_player.h"
+#include "viewer/window/space/commands.h"
 #include "viewer/window/written_hash.h"
 
 namespace hottel {
 namespace {
 
-constexpr double kSecondsBetweenFileChecks = 1;
 // The brightest over the mean, below which light is even, and faces are hard to tell apart.
 constexpr double kEvenLight = 3, kEvenForms = 4;
 
@@ -62,8 +61,7 @@ SimulationRequest3 request_of(FactorsRequest3 factors) {
 }  // namespace
 
 Viewer3::Viewer3(ViewerSource3 source, Window& window, const FactorsRequest3& factors, double scale)
-    : window_(window),
-      unit_(scale),
+    : SceneViewer(window, scale, kUsualTone3, commands_3(), gestures_3()),
       source_(std::move(source)),
       file_(source_.file),
       live_(request_of(factors), [&window] { window.wake(); }),
@@ -73,7 +71,6 @@ Viewer3::Viewer3(ViewerSource3 source, Window& window, const FactorsRequest3& fa
             return why_not(edited, light, before);
           },
           [this](const Scene3& edited) { return why_not_stand(edited); }),
-      size_(window.size()),
       computing_([&window] { window.wake(); }),
       gathered_([&window] { window.wake(); }) {
   file_.note();
@@ -135,7 +132,7 @@ void Viewer3::see(const EyeCamera3& camera) {
   needs_base_ = true;
 }
 
-bool Viewer3::update() {
+void Viewer3::collect() {
   const bool has_come = live_.collect();
   const bool has_result = computing_.collect();
   if (state().version && !is_fitted_) {
@@ -148,11 +145,6 @@ bool Viewer3::update() {
   choose_tone();
   gather();
   if (state().version != asked_of_) ask(request_.mode == ViewMode3::kSweeps);
-  watch_file();
-  if (!needs_base_ && !needs_frame_) return false;
-  draw();
-  window_.show(frame_);
-  return true;
 }
 
 // The first light that there is tells the tone, unless a hand has.
@@ -163,10 +155,8 @@ void Viewer3::choose_tone() {
   needs_base_ = needs_base_ || shines || !has_outlines_;
   has_outlines_ = !shines || is_nearly_even(light.values, light.channels, kEvenForms);
   if (!shines) return;
-  const ToneChoice choice = first_tone(light.values, light.channels, kEvenLight, kUsualTone3);
   has_tone_ = true;
-  tone_ = choice.tone;
-  exposure_ = choice.exposure;
+  tone_ = first_tone(light.values, light.channels, kEvenLight, kUsualTone3);
 }
 
 void Viewer3::settle(double seconds) {
@@ -184,7 +174,7 @@ void Viewer3::settle(double seconds) {
 
 void Viewer3::run() {
   gathers_ = true;
-  run_viewer(*this, window_, kSecondsBetweenFileChecks);
+  SceneViewer::run();
 }
 
 void Viewer3::set_request(ViewRequest3 request) {
@@ -219,20 +209,6 @@ void Viewer3::ask(bool stops) {
   stops ? computing_.post(std::move(work)) : computing_.follow(std::move(work));
 }
 
-// Tells what has become of the file.
-void Viewer3::watch_file() {
-  until_watch_ -= since_watch_.lap();
-  if (until_watch_ > 0 || prompt_) return;
-  until_watch_ = kSecondsBetweenFileChecks;
-  const FileNews news = file_.news();
-  if (news == FileNews::kNone) return;
-  FileAnswer answer = answer_to(news, file_, is_changed() || editor_.is_dragging(), [this] { read_again(); });
-  if (answer.is_to_be_read) read_again();
-  if (message_.empty()) message_ = answer.message;
-  prompt_ = std::move(answer.question);
-  needs_frame_ = true;
-}
-
 void Viewer3::read_again() {
   try {
     file_.note();
@@ -249,19 +225,15 @@ void Viewer3::read_again() {
   }
 }
 
-std::string Viewer3::save() {
-  try {
-    if (file_.path().extension() != ".json")
-      throw UsageError("a scene is saved as .json: use ctrl+shift+s for another name");
-    save_as(file_.path());
-    return "";
-  } catch (const std::runtime_error& error) {
-    message_ = std::string("not saved: ") + error.what();
-    return message_;
-  }
+std::string Viewer3::why_not_saved() const {
+  return file_.path().extension() == ".json" ? "" : "a scene is saved as .json: use ctrl+shift+s for another name";
 }
 
-void Viewer3::save_as(const std::filesystem::path& file) {
+std::string Viewer3::name_to_save_as() const {
+  return std::filesystem::path(file_.path()).replace_extension(".json").string();
+}
+
+void Viewer3::write(const std::filesystem::path& file) {
   if (file.extension() != ".json") throw UsageError("a scene is saved as .json, not '" + file.string() + "'");
   if (std::ranges::any_of(scene()->groups, [](const Group& group) { return group.behind != Behind::kByOutline; }))
     throw RequestError("a scene whose meshes say what is \"behind\" them cannot be written");
@@ -270,15 +242,6 @@ void Viewer3::save_as(const std::filesystem::path& file) {
   file_ = WatchedFile(file);
   file_.note();
   editor_.mark_saved();
-  message_ = "saved " + file.string();
-  needs_frame_ = true;
-}
-
-void Viewer3::quit() {
-  const auto leave = [this] { wants_quit_ = true; };
-  if (!quitting_loses(file_, is_changed())) return leave();
-  prompt_ = quit_question(
-      file_, [this] { return save(); }, leave);
 }
 
 void Viewer3::save_picture(const std::filesystem::path& file) const {
@@ -290,7 +253,7 @@ void Viewer3::save_picture(const std::filesystem::path& file) const {
     throw RequestError("there is no light to draw" + (state().problem.empty() ? "" : ": " + state().problem));
   PreparedScene3 prepared = *view.version()->of().simulation().prepared();
   prepared.scene.camera = camera_.camera(size_);
-  RenderOptions3 options{.tone = tone_, .exposure = exposure_};
+  RenderOptions3 options{.tone = tone_.tone, .exposure = tone_.exposure};
   if (is_smooth_) options.shading = Shading::kSmooth;
   if (view.values() != nullptr) options.shown = *view.values();
   write_output_file(

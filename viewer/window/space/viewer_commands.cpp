@@ -7,7 +7,6 @@
 #include "solver/space/methods/method_catalogue.h"
 #include "viewer/edit/material_edits.h"
 #include "viewer/window/choices.h"
-#include "viewer/window/space/commands.h"
 #include "viewer/window/space/viewer.h"
 
 namespace hottel {
@@ -35,14 +34,7 @@ bool Viewer3::view_command(std::string_view name) {
     if (!mode) return false;
     request.mode = *mode;
   } else if (name == "next" || name == "previous") {
-    const int step = name == "next" ? 1 : -1;
-    if (request.mode == ViewMode3::kSweeps) {
-      request.solver = next_of(kSolvers, request.solver, step);
-      message_ = std::string("solver ") + to_string(request.solver);
-    } else {
-      request.method = next_of(approximate_methods(methods_3()), request.method, step);
-      message_ = "method " + request.method;
-    }
+    message_ = take_next(request, methods_3(), name == "next" ? 1 : -1);
   } else if (name == "again") {
     ask(true);
   } else if (name == "shading") {
@@ -51,23 +43,11 @@ bool Viewer3::view_command(std::string_view name) {
   } else if (name == "gather") {
     gathers_ = !gathers_;
     message_ = gathers_ ? "at rest light is gathered point by point" : "the light of elements";
-  } else if (name == "tone") {
-    tone_ = next_of(kTones, tone_, 1);
-    has_tone_ = true;
-  } else if (name == "darker" || name == "brighter") {
-    exposure_ *= name == "brighter" ? kExposureStep : 1 / kExposureStep;
-    has_tone_ = true;
   } else if (name == "outlines") {
     has_outlines_ = !has_outlines_;
     has_tone_ = true;
     message_ = has_outlines_ ? "outlines of faces" : "no outlines";
-  } else if (name == "page up" || name == "page down") {
-    if (!scrolls_.turn(name == "page up" ? -1 : 1, mouse_)) message_ = "no text has more to show";
-  } else if (name == "fit") {
-    fit();
-  } else if (name == "help") {
-    shows_help_ = !shows_help_;
-  } else {
+  } else if (!frame_command(name)) {
     return false;
   }
   set_request(std::move(request));
@@ -176,35 +156,6 @@ void Viewer3::change_material(std::uint32_t material, const Material& values) {
   materials[material] = values;
   editor_.change_materials(std::move(materials), "change " + values.name);
   scene_changed();
-}
-
-bool Viewer3::file_command(std::string_view name) {
-  if (name == "save") {
-    save();
-  } else if (name == "save as") {
-    const std::string text = std::filesystem::path(file_.path()).replace_extension(".json").string();
-    prompt_ = file_prompt("save as", text, [this](const std::string& file) { save_as(file); });
-  } else if (name == "picture") {
-    prompt_ = file_prompt("picture", file_.path().stem().string() + ".png", [this](const std::string& file) {
-      save_picture(file);
-      message_ = "saved " + file;
-    });
-  } else if (name == "copy number") {
-    const std::string number = view().number(hover_);
-    if (!number.empty()) window_.set_clipboard(number);
-    message_ = number.empty() ? "there is no number to copy" : "copied " + number;
-  } else if (name == "reload") {
-    if (is_changed())
-      prompt_ = Prompt{.question = "unsaved changes:  r  read the file again and drop them   escape  keep them",
-                       .keys = {{"r", [this] { read_again(); }}}};
-    else
-      read_again();
-  } else if (name == "quit") {
-    quit();
-  } else {
-    return false;
-  }
-  return true;
 }
 
 }  // namespace hottel

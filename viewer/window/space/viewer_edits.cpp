@@ -137,8 +137,7 @@ void Viewer3::drag_edit() {
   scene_changed();
 }
 
-// A key for an axis, while something is dragged.
-bool Viewer3::hold_axis(const WindowEvent& event) {
+bool Viewer3::takes_key(const WindowEvent& event) {
   const auto axis = std::ranges::find(kAxisNames, event.key);
   if (drag_ != Drag::kEdit || event.held != HeldKeys() || axis == kAxisNames.end()) return false;
   editor_.toggle_axis(static_cast<int>(axis - kAxisNames.begin()));

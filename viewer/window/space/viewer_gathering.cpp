@@ -10,7 +10,7 @@ void Viewer3::gather() {
   const bool rests = gathers_ && drag_ == Drag::kNone && !time_ && is_fitted_ && live_.is_at_rest() &&
                      state().is_lit() && state().problem.empty();
   if (!rests || request_.mode != ViewMode3::kLight || (legend_ && legend_->is_dark())) return gathered_.wish({});
-  gathered_.wish(GatheredWish{state().version, camera_.camera(size_), tone_, exposure_});
+  gathered_.wish(GatheredWish{state().version, camera_.camera(size_), tone_.tone, tone_.exposure});
 }
 
 // "gathered 43 %"; nothing where none is gathered.

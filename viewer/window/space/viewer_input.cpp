@@ -3,19 +3,13 @@
 #include <utility>
 
 #include "viewer/window/lights.h"
-#include "viewer/window/space/commands.h"
 #include "viewer/window/space/pointed_place.h"
 #include "viewer/window/space/viewer.h"
 
 namespace hottel {
 namespace {
 
-constexpr double kReach = 9;            // units that count as touching
-constexpr double kStill = 3;            // units that a click may wander
-constexpr double kPerNotch = 1.2;       // of the wheel
 constexpr double kDegreesAcross = 180;  // of a drag over the height of the window
-
-double distance(const Pixel& a, const Pixel& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 }  // namespace
 
@@ -53,55 +47,6 @@ std::optional<Direction3> Viewer3::surface_at(const Pixel& place) const {
   return std::isfinite(along) ? std::optional(from.eye + along * ray) : std::nullopt;
 }
 
-bool Viewer3::is_on_bar() const { return is_split() && std::abs(mouse_.x - split_ * size_.width) < kReach * unit_; }
-
-void Viewer3::handle(const WindowEvent& event) {
-  using Kind = WindowEvent::Kind;
-  needs_frame_ = needs_frame_ || event.kind != Kind::kWake;
-  const bool is_at_a_place = event.kind == Kind::kMove || event.kind == Kind::kPress || event.kind == Kind::kRelease ||
-                             event.kind == Kind::kWheel;
-  const Pixel before = mouse_;
-  if (is_at_a_place) {
-    mouse_ = {event.x, event.y};
-    has_mouse_ = true;
-  }
-  switch (event.kind) {
-    case Kind::kQuit:
-      return quit();
-    case Kind::kResize:
-      size_ = window_.size();
-      needs_base_ = true;
-      return;
-    case Kind::kMove:
-      return move(before);
-    case Kind::kLeave:
-      has_mouse_ = false;
-      return touch();
-    case Kind::kPress:
-      return press(event);
-    case Kind::kRelease:
-      return release(event);
-    case Kind::kWheel:
-      return wheel(event);
-    case Kind::kKey:
-      if (prompt_) {
-        drops_text_ = false;
-        return answer_prompt(prompt_, event);
-      }
-      key(event);
-      drops_text_ = prompt_ && event.key.size() == 1 && !event.held.ctrl && !event.held.alt;
-      return;
-    case Kind::kText:
-      if (!std::exchange(drops_text_, false) && prompt_ && prompt_->keys.empty()) type_into(*prompt_, event.text);
-      return;
-    case Kind::kFocus:
-      until_watch_ = 0;
-      return;
-    case Kind::kWake:
-      return;
-  }
-}
-
 Direction3 Viewer3::pointed_place(const Pixel& place) const {
   const Pointer3 from = camera_.pointer(place, size_);
   const Direction3 way = from.way_to(from.at);
@@ -110,18 +55,11 @@ Direction3 Viewer3::pointed_place(const Pixel& place) const {
   return from.eye + (camera_.distance() / dot(way, from.forward)) * way;
 }
 
-// Scrolls a text, or goes nearer to what is under the mouse, which stays there.
-void Viewer3::wheel(const WindowEvent& event) {
-  if (scrolls_.wheel(mouse_, event.wheel) || shows_help_) return;
+// Goes nearer to what is under the mouse, which stays there.
+void Viewer3::zoom(double times) {
   EyeCamera3 camera = camera_;
-  camera.zoom_to(pointed_place(mouse_), std::pow(kPerNotch, event.wheel));
+  camera.zoom_to(pointed_place(mouse_), times);
   see(camera);
-}
-
-void Viewer3::key(const WindowEvent& event) {
-  if (hold_axis(event)) return;
-  if (event.held == HeldKeys() && scrolls_.key(event.key, mouse_, shows_help_ ? "help" : "")) return;
-  if (const auto name = command_of_key(key_text(event), commands_3()); !name.empty()) command(name);
 }
 
 void Viewer3::press(const WindowEvent& event) {
@@ -138,7 +76,7 @@ void Viewer3::press(const WindowEvent& event) {
 // What the mouse does from there on.
 Viewer3::Drag Viewer3::drag_of(const WindowEvent& press) {
   if (press.button != MouseButton::kLeft) return Drag::kPan;
-  if (!press.held.shift && is_on_bar()) return Drag::kBar;
+  if (!press.held.shift && is_split() && is_on_bar()) return Drag::kBar;
   if (time_ && pick_light(*shown_, pointer())) stop();
   if (editor_.press(pointer(press.held))) return Drag::kLight;
   if (!time_ && editor_.grab(pointer(press.held), face_at_mouse())) return Drag::kEdit;
@@ -148,7 +86,7 @@ Viewer3::Drag Viewer3::drag_of(const WindowEvent& press) {
 
 void Viewer3::move(const Pixel& before) {
   if (drag_ == Drag::kNone) return touch();
-  if (!has_moved_ && distance(mouse_, pressed_) <= kStill * unit_) return;
+  if (!has_moved_ && is_still()) return;
   // What lies under the mouse goes with it from where it was pressed.
   const Pixel from = std::exchange(has_moved_, true) ? before : pressed_;
   const double right = mouse_.x - from.x, down = mouse_.y - from.y;

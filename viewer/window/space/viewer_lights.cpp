@@ -1,14 +1,11 @@
 // What a viewer in space does to lights, and how it draws them.
 #include <algorithm>
-#include <array>
 
 #include "geometry/space/scene/light_place_problem.h"
 #include "geometry/space/scene/moving_lights.h"
 #include "viewer/edit/decimals.h"
-#include "viewer/edit/light_edits.h"
 #include "viewer/edit/space/light_region.h"
 #include "viewer/window/lights.h"
-#include "viewer/window/space/light_lines.h"
 #include "viewer/window/space/viewer.h"
 
 namespace hottel {
@@ -26,7 +23,8 @@ std::string place_problem(const Scene3& scene, std::uint32_t light) {
 }  // namespace
 
 // The light under the mouse; where no polygon is there either, the one that is selected.
-std::optional<std::uint32_t> Viewer3::light_meant() const {
+std::optional<std::uint32_t> Viewer3::light_meant() {
+  touch();
   if (hover_light_) return hover_light_->light;
   return hover_ ? std::nullopt : editor_.selected_light();
 }
@@ -36,80 +34,31 @@ void Viewer3::say(const std::string& done, const char* nothing) {
   message_ = !done.empty() ? done : !editor_.refusal().empty() ? editor_.refusal() : nothing;
 }
 
-bool Viewer3::light_command(std::string_view name) {
-  touch();
-  if (name == "light" || name == "play") {
-    name == "light" ? add_light() : play();
-    return true;
-  }
-  if (name != "material" && !is_light_edit(name)) return false;
-  const std::optional<std::uint32_t> light = light_meant();
-  if (!light && name == "spin") message_ = "no light lies under the mouse, and none is selected";
-  if (!light) return name == "spin";
-  name == "material" ? ask_for_light(*light) : change_light(*light, name);
-  return true;
-}
-
-void Viewer3::change_light(std::uint32_t light, std::string_view name) {
-  Light values = scene()->lights[light];
+std::vector<Rational> Viewer3::rotation_of(std::uint32_t light) const {
   const Vector3& rates = scene()->light_places[light].rotation;
-  std::array<Rational, 3> rotation{rates.x, rates.y, rates.z};
-  edit_light(values, rotation, name);
-  const Vector3 rates_after{rotation[0], rotation[1], rotation[2]};
-  const std::string changed = editor_.change_light(light, values, rates_after);
-  if (name == "spin" && !changed.empty() && !time_ && !rates_after.is_zero()) time_ = 0;
-  if (changed.empty())
-    message_ = editor_.is_dragging() ? "not while something is dragged" : why_light_stays(name);
-  else if (!hover_light_)  // what lies under the mouse is told already
-    message_ = light_line_3(*scene(), light);
+  return {rates.x, rates.y, rates.z};
 }
 
-// Lights begin to move, or stand again where the scene has them.
-void Viewer3::play() {
-  if (time_)
-    stop();
-  else
-    message_ = begin_to_move(time_, editor_.is_dragging(), has_moving_lights(*scene()));
+std::string Viewer3::set_light(std::uint32_t light, const Light& values, std::span<const Rational> rotation) {
+  return editor_.change_light(light, values, {rotation[0], rotation[1], rotation[2]});
 }
 
-void Viewer3::stop() {
-  time_.reset();
-  shown_ = told_;
-  live_.set(shown_);
-  message_ = "the lights stand";
-}
+bool Viewer3::can_lights_move() const { return has_moving_lights(*scene()); }
 
-bool Viewer3::pass_time(const Rational& seconds) {
-  if (!time_) return false;
-  *time_ += seconds;
-  if (seconds > 0 && live_.is_at_rest()) move_lights();
-  return true;
-}
-
-// Shows the lights at their time, as far as they may be there.
-void Viewer3::move_lights() {
-  needs_frame_ = true;
-  const auto moved = std::make_shared<const Scene3>(scene_after(*scene(), *time_));
-  std::string problem = has_moving_lights(*scene()) ? "" : "no light moves";
-  for (std::uint32_t k = 0; k < moved->lights.size() && problem.empty(); ++k)
-    if (moved->light_places[k].position != scene()->light_places[k].position) problem = place_problem(*moved, k);
-  if (!problem.empty()) {
-    const std::string why = why_lights_stand(*time_, problem);
-    stop();
-    message_ = why;
-    return;
+std::string Viewer3::show_lights_after(const Rational& seconds) {
+  const auto moved = std::make_shared<const Scene3>(scene_after(*scene(), seconds));
+  for (std::uint32_t k = 0; k < moved->lights.size(); ++k) {
+    if (moved->light_places[k].position == scene()->light_places[k].position) continue;
+    if (const std::string problem = place_problem(*moved, k); !problem.empty()) return problem;
   }
   shown_ = moved;
   live_.set(shown_);
+  return "";
 }
 
-void Viewer3::ask_for_light(std::uint32_t light) {
-  const Vector3& rates = scene()->light_places[light].rotation;
-  prompt_ = light_prompt(scene()->lights[light], {rates.x, rates.y, rates.z},
-                         [this, light](const Light& values, std::span<const Rational> rotation) {
-                           editor_.change_light(light, values, {rotation[0], rotation[1], rotation[2]});
-                           scene_changed();
-                         });
+void Viewer3::show_lights_standing() {
+  shown_ = told_;
+  live_.set(shown_);
 }
 
 // A point light before the surface under the mouse; where none is, as far away as what is looked at.
@@ -161,11 +110,8 @@ void Viewer3::draw_lights(PictureCanvas& canvas) const {
       for (const Direction3& corner : shape->rim)
         if (const auto at = pixel(corner)) mark.rim.push_back(*at);
     }
-    LightStyle style{.is_meant = editor_.selected_light() == k, .is_pale = is_hidden(shape->place)};
-    if (drag_ == Drag::kNone && hover_light_ && hover_light_->light == k) {
-      style.is_meant = true;
-      style.touched = hover_light_->part;
-    }
+    LightStyle style = light_style(k, editor_.selected_light(), drag_ == Drag::kNone ? hover_light_ : std::nullopt);
+    style.is_pale = is_hidden(shape->place);
     draw_light(canvas, shown_->lights[k], mark, style, unit_);
   }
 }

@@ -11,11 +11,7 @@
 #include "viewer/picture/colour_map.h"
 #include "viewer/picture/palette.h"
 #include "viewer/picture/space/seen_picture.h"
-#include "viewer/window/file_questions.h"
-#include "viewer/window/help.h"
 #include "viewer/window/lights.h"
-#include "viewer/window/panel.h"
-#include "viewer/window/space/commands.h"
 #include "viewer/window/space/first_light.h"
 #include "viewer/window/space/light_lines.h"
 #include "viewer/window/space/outlines.h"
@@ -24,7 +20,6 @@
 namespace hottel {
 namespace {
 
-constexpr double kGap = 12;          // units between boxes and the border
 constexpr double kPanelWidth = 0.4;  // of the window's width, at most
 constexpr Colour kTouched{0.02, 0.62, 0.83, 0.16}, kBar{0.992, 0.988, 0.980, 0.9};
 constexpr Colour kDimmed{0.992, 0.988, 0.980, 0.62};
@@ -64,7 +59,7 @@ void Viewer3::draw_seen() {
   }
   // Toned by all elements there are, whatever is seen: so light stays the same while one walks.
   paint_ = view.light();
-  const ToneCurve tone(tone_, exposure_, paint_.values, paint_.channels);
+  const ToneCurve tone(tone_.tone, tone_.exposure, paint_.values, paint_.channels);
   legend_.emplace(tone, paint_.values, paint_.channels,
                   view.version()->scene().has_bands ? "radiosity, solar [W/m²]" : "radiosity [W/m²]");
   const bool is_form = legend_->is_dark();
@@ -101,6 +96,13 @@ void Viewer3::draw_base() {
   touch();
 }
 
+void Viewer3::draw_marks_of_hand(PictureCanvas& canvas) {
+  draw_touched(canvas);
+  draw_selection(canvas);
+  draw_lights(canvas);
+  draw_problem(canvas);
+}
+
 // The polygon under the mouse where light is seen.
 void Viewer3::draw_touched(PictureCanvas& canvas) const {
   if (hover_ && seen() != nullptr && view().values() == nullptr && drag_ == Drag::kNone) {
@@ -120,20 +122,13 @@ void Viewer3::draw_touched(PictureCanvas& canvas) const {
 void Viewer3::draw_problem(PictureCanvas& canvas) {
   if (state().problem.empty()) return;
   canvas.fill_rectangle(Mark::kPaper, {0, 0}, {canvas.width(), canvas.height()}, kDimmed);
-  draw_panel(canvas, {.lines = {"no light", state().problem}, .is_warning = true},
-             {.corner = {kGap * unit_, 52 * unit_},
-              .width = side_width(canvas, 0.45, unit_),
-              .height = 0.7 * size_.height,
-              .scroll = &scrolls_.of("problem")},
-             unit_);
+  draw_warning(canvas, {"no light", state().problem});
 }
-
-std::string Viewer3::file_title() const { return title_of(file_, is_changed()); }
 
 std::string Viewer3::head() const {
   std::string text = file_title() + "   " + to_string(request_.mode);
   const ShownView3 view = this->view();
-  if (view.values() == nullptr) text += fmt::format(", tone {} x {:.3g}", to_string(tone_), exposure_);
+  if (view.values() == nullptr) text += fmt::format(", tone {} x {:.3g}", to_string(tone_.tone), tone_.exposure);
   if (legend_ && legend_->is_dark() && view.values() == nullptr) text += "   nothing shines: the form alone";
   if (request_.mode == ViewMode3::kErrors) text += ": " + request_.method;
   if (time_) text += fmt::format("   {:.2f} s", to_double(*time_));
@@ -152,7 +147,8 @@ std::string Viewer3::head() const {
 
 // What lies under the mouse.
 std::string Viewer3::status() const {
-  if (hover_light_ && drag_ == Drag::kNone) return light_line_3(*scene(), hover_light_->light);
+  if (hover_light_ && drag_ == Drag::kNone)
+    return light_line(scene()->lights[hover_light_->light], rotation_of(hover_light_->light));
   if (!hover_) return "";
   const Scene3& found_in = hover_->model->prepared.scene;
   std::string text = face_name(found_in, hover_->face());
@@ -194,33 +190,9 @@ void Viewer3::draw_legends(PictureCanvas& canvas, double bottom) const {
 void Viewer3::draw_texts(PictureCanvas& canvas) {
   const double x = split_ * size_.width;
   if (is_split()) canvas.stroke(Mark::kLegend, {x, 0}, {x, canvas.height()}, kBar, 3 * unit_);
-  std::string line = message_;
-  if (const std::string now = status(); !now.empty()) line += (line.empty() ? "" : "   ") + now;
-  const TextRoom room = draw_head_and_line(canvas, head(), line, scrolls_, unit_);
+  const TextRoom room = draw_head(canvas);
   draw_legends(canvas, room.bottom);
   draw_side_texts(canvas, side_texts(), kPanelWidth, room, scrolls_, unit_);
-}
-
-void Viewer3::draw() {
-  if (needs_base_ || base_.width != size_.width || base_.height != size_.height) draw_base();
-  frame_ = base_;
-  CairoCanvas canvas(frame_);
-  scrolls_.begin_frame();
-  draw_touched(canvas);
-  draw_selection(canvas);
-  draw_lights(canvas);
-  draw_problem(canvas);
-  if (shows_help_)
-    draw_help(canvas, commands_3(), gestures_3(), scrolls_.of("help"), unit_);
-  else
-    draw_texts(canvas);
-  if (prompt_) draw_prompt(canvas, *prompt_, scrolls_.of("prompt"), unit_);
-  scrolls_.end_frame();
-  canvas.finish();
-  std::string title = file_title() + " - hottel";
-  if (title != title_) window_.set_title(title);
-  title_ = std::move(title);
-  needs_frame_ = false;
 }
 
 }  // namespace hottel

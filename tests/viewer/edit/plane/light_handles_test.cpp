@@ -136,9 +136,7 @@ TEST(SceneEditor2Lights, EveryEditIsOneStepAndSelectsTheLight) {
     EXPECT_FALSE(editor.selected_light());
   });
   is_one_step("add", [&] { EXPECT_EQ(editor.add_light({2, Rational(1, 2)}), "added light 1"); });
-  is_one_step("change", [&] {
-    EXPECT_EQ(editor.change_light(0, [](Light&, Rational& rotation) { rotation = 30; }), "changed spot");
-  });
+  is_one_step("change", [&] { EXPECT_EQ(editor.change_light(0, editor.scene()->lights[0], 30), "changed spot"); });
 }
 
 TEST(SceneEditor2Lights, ALightIsTouchedBeforeAnEdgeAndEitherIsSelected) {
@@ -159,7 +157,7 @@ TEST(SceneEditor2Lights, ALightIsTouchedBeforeAnEdgeAndEitherIsSelected) {
 TEST(SceneEditor2Lights, WhatChangesNothingIsNoStep) {
   SceneEditor2 editor(lit_room());
   drag(editor, at(1.01, 1), at(1.011, 1));
-  EXPECT_EQ(editor.change_light(0, [](Light&, Rational&) {}), "");
+  EXPECT_EQ(editor.change_light(0, editor.scene()->lights[0], {}), "");
   EXPECT_FALSE(editor.history().can_undo());
 }
 

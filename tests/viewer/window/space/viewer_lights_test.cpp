@@ -6,7 +6,7 @@
 #include "geometry/space/scene/moving_lights.h"
 #include "kernel/support/failure.h"
 #include "tests/viewer/window/space/hand.h"
-#include "viewer/window/space/light_lines.h"
+#include "viewer/window/lights.h"
 
 namespace hottel::viewer_lights_test {
 namespace {
@@ -113,7 +113,7 @@ TEST(Viewer3Lights, TakeTheKeysOfMaterials) {
   EXPECT_EQ(hand.viewer->prompt()->problem, "focus must be greater than 0 and at most 180 degrees");
   hand.play("key escape\nkey escape\npick bulb\nleave\nkey ;");  // nothing under the mouse: the one that is picked
   EXPECT_EQ(hand.light(1).power.value[0], Rational(8, 5));
-  EXPECT_EQ(hand.viewer->message(), light_line_3(*hand.viewer->scene(), 1));
+  EXPECT_EQ(hand.viewer->message(), light_line(hand.viewer->scene()->lights[1], std::vector<Rational>(3)));
   EXPECT_EQ(hand.viewer->scene()->materials, materials);
   hand.play("move 1,2,1.5\nkey ]");  // a polygon is under the mouse
   EXPECT_NE(hand.viewer->scene()->materials, materials);
