@@ -38,7 +38,10 @@ IlluminationPicture2 light_picture_2(const SolveOptions& options) {
 }
 
 ShownPlan2 faces_plan_2(const SolveOptions& options) {
-  return {.width = options.size, .has_axes = options.axes, .shading = *shading_of(options.shading)};
+  return {.width = options.size,
+          .has_axes = options.axes,
+          .shading = *shading_of(options.shading),
+          .contours = options.contours};
 }
 
 // What came of it on one grid.

@@ -136,6 +136,24 @@ Simulation2 simulation_of(const SolveOptions& options, ValidScene2 scene, Reques
   return Simulation2(std::move(scene), std::move(request.simulation));
 }
 
+// Whether a picture in the plane has what --show has on a grid.
+bool shows_cells_2(const SolveOptions& options, const Request& request, bool has_own_grids) {
+  return is_of_points(request.shown) && request.simulation.wants_light && options.illumination != "inverse-square" &&
+         (has_own_grids || !options.grid.empty());
+}
+
+// Throws UsageError where the picture in the plane has no cells that contours could be of.
+void require_sense_of_contours(const SolveOptions& options, const Request& request, bool has_own_grids) {
+  if (options.contours == 0 || request.shown.is_light() || shows_cells_2(options, request, has_own_grids)) return;
+  if (!is_of_points(request.shown))
+    throw UsageError("--contours are for what a grid shows, light, " + words_to_show_at_points() + ", not for " +
+                     options.show);
+  throw UsageError("--contours are for light or for what a grid shows: --show " + options.show +
+                   " is on the faces alone " +
+                   (options.illumination == "inverse-square" ? "with --illumination inverse-square"
+                                                             : "without a grid in the scene or --grid"));
+}
+
 void solve_in_plane(const SolveOptions& options, ValidScene2 scene, const Request& request, double seconds_to_read,
                     Streams& streams) {
   if (options.tolerance)
@@ -145,8 +163,7 @@ void solve_in_plane(const SolveOptions& options, ValidScene2 scene, const Reques
   require_shown(request.shown, *scene);
   if (options.outlines || options.no_outlines)
     throw UsageError("--outlines and --no-outlines are for scenes in space: in the plane walls are lines");
-  if (!request.shown.is_light() && options.contours > 0)
-    throw UsageError("--contours needs --show light: " + options.show + " is on the faces alone");
+  require_sense_of_contours(options, request, !scene->grids.empty());
   if (options.shading == "gathered") throw UsageError("--shading gathered is for scenes in space");
   if (!options.texels.empty()) throw UsageError("--texels is for scenes in space");
   if (renders_array(options))
@@ -163,8 +180,7 @@ void solve_in_plane(const SolveOptions& options, ValidScene2 scene, const Reques
   if (options.store.is_given()) plan = std::make_shared<const Plan>(plan_with_store(*plan, false, options.method));
   streams.note(plan_text(*plan));
   const Scene2& asked = simulation.scene();
-  const bool shows_cells = is_of_points(request.shown) && request.simulation.wants_light &&
-                           options.illumination != "inverse-square" && (has_own_grids || !options.grid.empty());
+  const bool shows_cells = shows_cells_2(options, request, has_own_grids);
   const bool has_grid_pictures = request.wants_picture && (request.shown.is_light() || shows_cells);
   const std::vector<Grid2> grids = request.simulation.wants_light ? asked.grids : std::vector<Grid2>();
   SolveFiles files(request.directory, asked);
@@ -267,7 +283,7 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
       .add_option(
           "--contours", options.contours,
           "lines of equal light in the picture of the plane or of a grid in space, about N of them at most, at round "
-          "levels; in space of what --show has on a grid too")
+          "levels; of what --show has on a grid too")
       ->type_name("N")
       ->transform(whole_number(1, 100));
   command.add_flag(

@@ -80,8 +80,10 @@ void OutputFile::open() {
     if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
     pending_ = {};
     temporary_.clear();
-    if (error == ENOENT)
+    std::error_code unknown;
+    if (error == ENOENT && !std::filesystem::exists(directory, unknown))
       throw OutputError(name_, "cannot be written: there is no directory '" + directory.string() + "'");
+    if (error == ENOENT) throw OutputError(name_, "cannot be written: '" + directory.string() + "' takes no new files");
     if (error != EEXIST || k == kMostNames) fail(error);
   }
   if (exists) ::fchmod(descriptor_, status.st_mode & 07777);

@@ -15,7 +15,7 @@ namespace hottel {
 
 // Returns the grids that a value says: an object with these keys, or a list of such objects, each with a `name` too.
 // grid_of: from an object and its members, in the order of the keys, to a grid without a name. Refuses an empty list,
-// an entry without a name, a name that grid_name_problem refuses, and one that two have.
+// an entry without a name, a name that grid_name_problem refuses, and one that clashes with another (grid_names_clash).
 template <class AnyGrid, std::size_t kKeys, class Make>
 std::vector<AnyGrid> read_grids(const JsonValue& value, const std::array<std::string_view, kKeys>& keys,
                                 const Make& grid_of) {
@@ -34,7 +34,9 @@ std::vector<AnyGrid> read_grids(const JsonValue& value, const std::array<std::st
     grid.name = read_string(name, {"grid", "name"});
     if (const std::string problem = grid_name_problem(grid.name); !problem.empty())
       refuse(name, "grid: a name " + problem);
-    if (grid_called(grids, grid.name) != nullptr) refuse(name, "grid: two are called " + quoted_name(grid.name));
+    for (const AnyGrid& other : grids)
+      if (const std::string clash = grid_names_clash(grid.name, other.name); !clash.empty())
+        refuse(name, "grid: " + clash);
     grids.push_back(std::move(grid));
   }
   return grids;

@@ -127,7 +127,7 @@ PythonJudgement compare(PythonSimulation& simulation, const py::object& what, co
   CompareKeywords asked{"", std::nullopt, beyond, repeat, static_cast<std::size_t>(worst)};
   if (py::isinstance<py::str>(what)) {
     asked.method = what.cast<std::string>();
-    if (!names.is_none()) throw UsageError("names are of a matrix, not of a method");
+    if (!names.is_none()) throw UsageError("names are for a matrix, not for a method");
     std::visit(  // told before any work
         [&](const auto& each) {
           if constexpr (std::is_same_v<std::decay_t<decltype(each)>, Simulation2>)

@@ -20,7 +20,7 @@ namespace {
 // Returns work(prepared, progress) of the scene by faces.
 template <class Work>
 auto by_faces(const PythonSimulation& simulation, const char* what, const Work& work) {
-  if (!simulation.is_plane()) throw UsageError(std::string(what) + " are of scenes in the plane");
+  if (!simulation.is_plane()) throw UsageError(std::string(what) + " are for scenes in the plane");
   return simulation.waited([&work](const AnySimulation& any, const StageProgress& progress) {
     const Simulation2 faces = std::get<Simulation2>(any).with_request({.granularity = Granularity::kFace});
     return work(*faces.prepared(progress), progress);

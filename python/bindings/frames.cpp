@@ -148,7 +148,7 @@ std::shared_ptr<PythonFrames> frames(const PythonSimulation& simulation, std::in
   require_exposure(exposure);
   if (simulation.is_plane() && look.shading != Shading::kFlat) throw UsageError("shading is for scenes in space");
   if (!simulation.is_plane() && !cells.is_none())
-    throw UsageError("cells are of scenes in the plane: in space frames show what a camera sees");
+    throw UsageError("cells are for scenes in the plane: in space frames show what a camera sees");
   const auto number = static_cast<std::uint32_t>(count);
   without_lock({}, [&](const StageProgress&) {
     std::visit([&](const auto& scene) { require_lights_beside_surfaces(scene, number, per_second); },

@@ -48,9 +48,9 @@ GeneratorRequest2 request_of(const std::string& kind, const GenerateKeywords& as
   request.seed = asked.seed;
   request.digits = asked.digits.value_or(0);
   request.k = asked.k.value_or(0);
-  if (!asked.bottoms) throw UsageError("bottoms are of kinds in space only");
-  if (kind != "clutter" && (asked.view || asked.length)) throw UsageError("view and length are of clutter only");
-  if (kind != "lattice" && asked.k) throw UsageError("k is of lattice only");
+  if (!asked.bottoms) throw UsageError("bottoms are for kinds in space only");
+  if (kind != "clutter" && (asked.view || asked.length)) throw UsageError("view and length are for clutter only");
+  if (kind != "lattice" && asked.k) throw UsageError("k is for lattice only");
   if (asked.view && asked.length) throw UsageError("view and length exclude each other");
   if (asked.view && *asked.view != "short" && *asked.view != "long")
     throw UsageError("view is 'short' or 'long', not '" + *asked.view + "'");

@@ -129,7 +129,7 @@ PythonPicture::Draw view_of(const Scene3& scene, std::uint32_t width) {
 
 PythonPicture scene_picture(const PythonScene& scene, std::int64_t size, bool has_axes) {
   const std::uint32_t width = width_of_picture(size);
-  if (!scene.is_plane() && has_axes) throw UsageError("axes are of plans in the plane");
+  if (!scene.is_plane() && has_axes) throw UsageError("axes are for plans in the plane");
   auto draw = without_lock({}, [&](const StageProgress&) {
     if (scene.is_plane()) return plan_of(std::get<Scene2>(scene.scene()), width, has_axes);
     return view_of(std::get<Scene3>(scene.scene()), width);

@@ -40,7 +40,7 @@ double rounded(const RootSum& sum) { return round_quotient(sum, RootSum(Rational
 
 RootSum exact(const PythonSimulation& simulation, const std::string& from, const std::string& to) {
   if (!simulation.is_plane())
-    throw UsageError("closed forms are of scenes in the plane; this version does not have them in space");
+    throw UsageError("closed forms are for scenes in the plane; this version does not have them in space");
   return simulation.waited([&](const AnySimulation& any, const StageProgress& progress) {
     const Simulation2& plane = std::get<Simulation2>(any);
     plane.prepared(progress);

@@ -20,7 +20,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 // Returns work(prepared, progress) of a scene in space.
 template <class Work>
 auto of_space(const PythonSimulation& simulation, const char* what, const Work& work) {
-  if (simulation.is_plane()) throw UsageError(std::string(what) + " are of scenes in space");
+  if (simulation.is_plane()) throw UsageError(std::string(what) + " are for scenes in space");
   return simulation.waited([&work](const AnySimulation& any, const StageProgress& progress) {
     return work(*std::get<Simulation3>(any).prepared(progress), progress);
   });

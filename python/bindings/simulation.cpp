@@ -95,7 +95,7 @@ py::object PythonSimulation::factors() {
         waited([](const auto& simulation, const auto& progress) { return matrix_of(simulation, progress); });
     const bool is_exact = options_.method == "exact";
     return py::cast(PythonFactors(matrix, is_exact, [options = options_, simulation = simulation_] {
-      if (options.method != "exact") throw UsageError("visibilities are of the method 'exact'");
+      if (options.method != "exact") throw UsageError("visibilities are for the method 'exact'");
       return without_lock(options.waiting, [&simulation](const StageProgress& progress) {
         return with_visibility(*simulation, progress);
       });
@@ -104,7 +104,7 @@ py::object PythonSimulation::factors() {
 }
 
 py::object PythonSimulation::script_f(const std::string& channel) {
-  if (options_.method != "exact") throw UsageError("script-F is of the method 'exact'");
+  if (options_.method != "exact") throw UsageError("script-F is for the method 'exact'");
   if (!channel.empty() && scene_.table().has_bands)
     throw UsageError("the scene has two bands, not r, g and b: script-F is of the thermal one");
   const py::str key(channel);
@@ -119,7 +119,7 @@ py::object PythonSimulation::script_f(const std::string& channel) {
                                                                  .progress = telling("script-F", progress)}));
   });
   script_f_[key] = PythonFactors(gray, true, []() -> MatrixWithVisibility {
-    throw UsageError("visibilities are of view factors, not of script-F");
+    throw UsageError("visibilities are for view factors, not for script-F");
   });
   return script_f_[key];
 }

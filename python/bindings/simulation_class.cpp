@@ -27,7 +27,7 @@ constexpr const char* kDoc =
     "sky=None, solver='auto', iterations=None, until=None, memory=None, simulate='auto', store=None, "
     "levels=0, light_levels=0,\nthreads=None, progress=None).\n"
     "Names and values are those of options of the program. per: 'face', 'element' or 'group'; by default elements\n"
-    "where the scene is divided. tolerance, guarantee and sky are of scenes in space. memory: bytes. store: a file "
+    "where the scene is divided. tolerance, guarantee and sky are for scenes in space. memory: bytes. store: a file "
     "where\n"
     "view factors are kept from one run to the next. levels: divide every element so often in halves, in space in "
     "four;\n"

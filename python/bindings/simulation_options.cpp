@@ -129,10 +129,11 @@ void require_sense(const SimulationOptions& options, bool is_plane) {
   const bool is_of_space = options.tolerance || options.sky || options.guarantee != "estimated";
   if (is_plane && is_of_space)
     throw UsageError(
-        "tolerance, sky and guarantee are of scenes in space: in the plane every factor is correctly "
+        "tolerance, sky and guarantee are for scenes in space: in the plane every factor is correctly "
         "rounded");
   if (options.method != "exact" && (is_of_space || options.memory))
-    throw UsageError("tolerance, sky, guarantee and memory are of the method 'exact', not of '" + options.method + "'");
+    throw UsageError("tolerance, sky, guarantee and memory are for the method 'exact', not for '" + options.method +
+                     "'");
 }
 
 hottel::Scene divided(hottel::Scene scene, const SimulationOptions& options) {

@@ -48,11 +48,11 @@ struct PictureRequest {
 };
 
 void require_sense_in_plane(const PictureKeywords& asked, const PictureRequest& request) {
-  if (asked.outlines) throw UsageError("outlines are of scenes in space: in the plane walls are lines");
-  if (asked.of != "scene") throw UsageError("of is of scenes in space: in the plane light has a picture of its grid");
+  if (asked.outlines) throw UsageError("outlines are for scenes in space: in the plane walls are lines");
+  if (asked.of != "scene") throw UsageError("of is for scenes in space: in the plane light has a picture of its grid");
   if (request.shading == Shading::kGathered) throw UsageError("shading='gathered' is for scenes in space");
   if (request.shown.is_light() && request.shading != Shading::kFlat)
-    throw UsageError("shading in the plane is of values of faces: light between the faces has no elements");
+    throw UsageError("shading in the plane is for values of faces: light between the faces has no elements");
   if (!request.shown.is_light() && request.width > 0 && request.width < kMinPictureWidth)
     throw UsageError("size with show='" + asked.show + "' is " + std::to_string(kMinPictureWidth) + " at least");
 }
@@ -60,14 +60,14 @@ void require_sense_in_plane(const PictureKeywords& asked, const PictureRequest& 
 void require_sense_in_space(const PictureKeywords& asked, const PictureRequest& request) {
   if (asked.of != "scene" && asked.of != "grid")
     throw UsageError("of is 'scene', what the camera sees, or 'grid', not '" + asked.of + "'");
-  if (asked.contours > 0 && asked.of != "grid") throw UsageError("contours in space are of a picture of='grid'");
+  if (asked.contours > 0 && asked.of != "grid") throw UsageError("contours in space are for a picture with of='grid'");
   if (asked.of == "scene" && asked.grid.is_given())
     throw UsageError("cells and over go with of='grid': the camera sees faces");
   if (asked.of != "grid") return;
-  if (asked.outlines) throw UsageError("outlines are of faces, not of a grid");
+  if (asked.outlines) throw UsageError("outlines are for faces, not for a grid");
   if (!request.shown.is_light() && !is_of_points(request.shown))
     throw UsageError("a grid shows 'light', 'irradiance', 'temperature' or 'sky', not '" + asked.show + "'");
-  if (request.shading != Shading::kFlat) throw UsageError("shading is of faces, not of a grid");
+  if (request.shading != Shading::kFlat) throw UsageError("shading is for faces, not for a grid");
 }
 
 PictureRequest request_of(const PythonScene& scene, const PictureKeywords& asked) {
@@ -84,7 +84,7 @@ PictureRequest request_of(const PythonScene& scene, const PictureKeywords& asked
   if (asked.contours < 0 || asked.contours > 100) throw UsageError("contours are a number from 0 to 100");
   const bool has_contours = asked.contours > 0 && asked.of != "grid";
   if (!request.shown.is_light() && (asked.tone || request.exposure != 1 || has_contours))
-    throw UsageError("tone, exposure and contours are of show='light': '" + asked.show + "' has a scale");
+    throw UsageError("tone, exposure and contours are for show='light': '" + asked.show + "' has a scale");
   if (scene.is_plane())
     require_sense_in_plane(asked, request);
   else
@@ -188,7 +188,7 @@ PythonPicture picture(const PythonSimulation& simulation, const std::string& sho
                         (simulation.is_plane() && (request.shown.is_light() || request.shows_cells || asks_for_grid));
   if (has_grid) require_planar_grid(simulation, asked.grid.over, "a picture");
   const auto version = has_grid ? gridded(simulation, asked.grid) : nullptr;
-  if (!has_grid && illumination != "point") throw UsageError("illumination is of light on a grid: of='grid'");
+  if (!has_grid && illumination != "point") throw UsageError("illumination is for light on a grid: of='grid'");
   auto draw = without_lock(simulation.options().waiting, [&](const StageProgress& progress) {
     return std::visit([&](const auto& each) { return drawing(each, request, progress); },
                       version ? *version : simulation.simulation());

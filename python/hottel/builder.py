@@ -114,7 +114,7 @@ class SceneBuilder:
 
     def _add(self, kind: str, dimension: int, entry: dict[str, Any]) -> SceneBuilder:
         if self._table["dimension"] != dimension:
-            raise UsageError(f"{kind} are of scenes of dimension {dimension}")
+            raise UsageError(f"{kind} are for scenes of dimension {dimension}")
         self._table.setdefault(kind, []).append(entry)
         return self
 

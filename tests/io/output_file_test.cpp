@@ -118,6 +118,7 @@ TEST_F(OutputFileTest, RefusesPathsThatCannotBeWritten) {
                                            ": cannot be written: there is no directory '" + file("no").string() + "'");
   EXPECT_EQ(why(file(std::string(300, 'n'))),
             file(std::string(300, 'n')).string() + ": cannot be written: File name too long");
+  EXPECT_EQ(why("/proc/a.csv"), "/proc/a.csv: cannot be written: '/proc' takes no new files");
   EXPECT_EQ(why(""), "'': is no name of a file");
   EXPECT_EQ(why(file("a.csv/")), file("a.csv/").string() + ": cannot be written: Not a directory");
   EXPECT_EQ(why(file("new/")), file("new/").string() + ": is a directory, not a file");

@@ -478,6 +478,9 @@ TEST(SceneJson, ReadsAListOfGridsWithNames) {
   EXPECT_EQ(refusal(with_grids({"a", ""})), "scene.json:4: grid has no \"name\"");
   EXPECT_EQ(refusal(with_grids({""})), "scene.json:3: grid has no \"name\"");
   EXPECT_EQ(refusal(with_grids({"a", "a"})), "scene.json:4: grid: two are called 'a'");
+  EXPECT_EQ(refusal(with_grids({"Desk A", "desk a"})),
+            "scene.json:4: grid: 'Desk A' and 'desk a' differ in case only: on a disk without case their files would "
+            "be one");
   EXPECT_EQ(refusal(with_grids({"b", "a/b"})),
             "scene.json:4: grid: a name must not contain / \\ : * ? \" < > or |: it is part of the names of files");
   EXPECT_EQ(refusal(with_grids({std::string(101, 'a')})),

@@ -17,6 +17,10 @@ struct PixelField {
   std::vector<bool> cut;
 };
 
+// Cuts the squares that come near an edge, of which values differ on its two sides. a, b: its ends in the picture, in
+// which the field begins at `origin`.
+void cut_along(Pixel a, Pixel b, Pixel origin, PixelField& field);
+
 // A line in the picture, from end to end; closed where both ends are one point.
 using PixelLine = std::vector<Pixel>;
 

@@ -171,6 +171,8 @@ TEST(ValidateScene2, RefusesSeveralGridsUnlessEachHasANameOfItsOwn) {
   EXPECT_EQ(named({"desk", "floor"}), "");
   EXPECT_EQ(named({"desk", ""}), "memory: grid: a name must not be empty");
   EXPECT_EQ(named({"desk", "desk"}), "memory: grid: two are called 'desk'");
+  EXPECT_EQ(named({"desk", "Desk"}),
+            "memory: grid: 'desk' and 'Desk' differ in case only: on a disk without case their files would be one");
   EXPECT_EQ(named({"a|b"}),
             "memory: grid: a name must not contain / \\ : * ? \" < > or |: it is part of the names of files");
 }

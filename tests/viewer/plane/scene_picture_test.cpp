@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "kernel/support/failure.h"
 #include "tests/viewer/plane/drawn_scenes.h"
@@ -162,6 +164,44 @@ TEST(ScenePicture2, PixelsLieOverTheFloorAndUnderTheFurniture) {
   const auto floor = canvas.calls(Mark::kFloor)[0].points, light = canvas.calls(Mark::kLight)[0].points;
   EXPECT_NEAR(light[0].x, floor[1].x, 1e-9);  // top left corner
   EXPECT_NEAR(light[0].y, floor[1].y, 1e-9);
+}
+
+// Cells of a room 4 wide, whose values grow from left to right; the screen stands at x = 1, from y = 1 to 2.
+TEST(ScenePicture2, ContoursOfPixelsRunWhereTheseHaveTheirLevelAndEndAtWalls) {
+  const Scene2 scene = furnished_room();
+  ScenePicture2 picture;
+  auto pixels = std::make_shared<ScenePixels2>(ScenePixels2{Raster(80, 60, 0xFFFFFF00), {0, 0}, {4, 3}, false});
+  for (int row = 0; row < 60; ++row)
+    for (int column = 0; column < 80; ++column) pixels->values.push_back(1 + (column + 0.5) / 80);
+  picture.pixels = pixels;
+  EXPECT_EQ(drawn(scene, picture).count(Mark::kCurve), 0u);
+  pixels->levels = {1.25, 1.5};
+  const SceneSheet2 sheet(prepare(scene), picture.sheet, 62);
+  const Pixel screen = sheet.from(kScreen);
+  const double cell = (sheet.frame().at(std::array{4.0, 0.0}).x - sheet.frame().at(std::array{0.0, 0.0}).x) / 80;
+  std::size_t at_screen = 0, in_the_middle = 0;
+  const RecordingCanvas canvas = drawn(scene, picture);
+  for (const auto& call : canvas.calls(Mark::kCurve)) {
+    if (call.kind != Kind::kStroke) continue;
+    const double from_screen = std::fabs(call.points[0].x - screen.x) / cell, from_middle = from_screen - 20;
+    ++(from_screen < 10 ? at_screen : in_the_middle);
+    EXPECT_LT(std::min(from_screen, std::fabs(from_middle)), 1);
+    for (const Pixel& p : call.points)
+      EXPECT_TRUE(from_screen > 1 || p.y > screen.y - 1 || p.y < sheet.to(kScreen).y + 1) << "through the screen";
+  }
+  EXPECT_GE(at_screen, 4u) << "above and below it, twice each";
+  EXPECT_GE(in_the_middle, 2u);
+  EXPECT_TRUE(canvas.wrote("1.5"));
+}
+
+// The grid may reach far beyond the sheet.
+TEST(ScenePicture2, ContoursOfPixelsEndWithTheSheet) {
+  ScenePicture2 picture;
+  auto pixels = std::make_shared<ScenePixels2>(ScenePixels2{Raster(3, 1, 0xFFFFFF00), {-1e7, -1e7}, {1e7, 1e7}, false});
+  pixels->values = {1, 2, 3};
+  pixels->levels = {1.5};
+  picture.pixels = pixels;
+  EXPECT_GT(drawn(furnished_room(), picture).count(Mark::kEdge), 0u);
 }
 
 // A box on the floor: what lies beneath it has no colour, on either side of the contact.

@@ -52,26 +52,6 @@ Frame2 frame_around(const Grid2& grid, const LightPixels2& pixels, bool has_axes
   return {grid.min, grid.max, wide + margins.left + margins.right, high + margins.top + margins.bottom, margins};
 }
 
-// Cuts the squares that come near an edge: light differs on its two sides.
-void cut_along(Pixel a, Pixel b, Pixel origin, PixelField& field) {
-  if (field.width < 2 || field.height < 2) return;
-  if (field.cut.empty()) field.cut.assign(std::size_t{field.width - 1} * (field.height - 1), false);
-  // In squares: the centre of pixel (0, 0) is the corner of square (0, 0).
-  for (Pixel* p : {&a, &b}) *p = {p->x - origin.x - 0.5, p->y - origin.y - 0.5};
-  if (a.y > b.y) std::swap(a, b);
-  const double last_x = field.width - 2, last_y = field.height - 2;
-  const double low = std::max(std::floor(a.y - 0.5), 0.0), high = std::min(std::floor(b.y + 0.5), last_y);
-  for (double y = low; y <= high; ++y) {
-    // Where the edge is within half a square of this row of squares.
-    const auto x_at = [&](double at) { return std::lerp(a.x, b.x, std::clamp((at - a.y) / (b.y - a.y), 0.0, 1.0)); };
-    const double p = b.y > a.y ? x_at(y - 0.5) : a.x, q = b.y > a.y ? x_at(y + 1.5) : b.x;
-    const double left = std::max(std::floor(std::min(p, q) - 0.5), 0.0);
-    const double right = std::min(std::floor(std::max(p, q) + 0.5), last_x);
-    for (double x = left; x <= right; ++x)
-      field.cut[static_cast<std::size_t>(y) * (field.width - 1) + static_cast<std::size_t>(x)] = true;
-  }
-}
-
 LightPixels2 light_pixels(const PreparedScene2& prepared, const IlluminationGrid2& grid,
                           const IlluminationPicture2& picture) {
   const PixelsPerCell pixels = pixels_per_cell(grid.grid, picture);

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "kernel/support/failure.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/colour_map.h"
+#include "viewer/picture/light_contours.h"
 #include "viewer/picture/palette.h"
 #include "viewer/picture/seamless_fill.h"
 
@@ -112,6 +115,35 @@ void ScenePicturePainter2::draw_pixels(PictureCanvas& canvas) const {
   const ScenePixels2& pixels = *picture_.pixels;
   canvas.image(Mark::kLight, sheet_.frame().at(std::array{pixels.min[0], pixels.max[1]}),
                sheet_.frame().at(std::array{pixels.max[0], pixels.min[1]}), pixels.image, pixels.smooth);
+  if (!pixels.levels.empty()) draw_cell_contours(canvas);
+}
+
+// Of the pixels, where they are on the sheet: each has its own value, up to the walls that cut it.
+void ScenePicturePainter2::draw_cell_contours(PictureCanvas& canvas) const {
+  const ScenePixels2& pixels = *picture_.pixels;
+  const Pixel from = sheet_.frame().at(std::array{pixels.min[0], pixels.max[1]});
+  const Pixel to = sheet_.frame().at(std::array{pixels.max[0], pixels.min[1]});
+  // Which of so many cells from one end to the other a place lies in; none beyond.
+  const auto cell = [](double at, double first, double last, std::uint32_t cells) -> std::optional<std::size_t> {
+    const double share = (at - first) / (last - first);
+    if (!(share >= 0 && share < 1)) return std::nullopt;
+    return std::min(static_cast<std::uint32_t>(share * cells), cells - 1);
+  };
+  const Pixel origin{std::max(std::floor(from.x), 0.0), std::max(std::floor(from.y), 0.0)};
+  const double right = std::min<double>(std::ceil(to.x), width()), below = std::min<double>(std::ceil(to.y), height());
+  if (!(origin.x < right && origin.y < below)) return;
+  PixelField field{static_cast<std::uint32_t>(right - origin.x), static_cast<std::uint32_t>(below - origin.y), {}, {}};
+  field.values.reserve(std::size_t{field.width} * field.height);
+  for (std::uint32_t y = 0; y < field.height; ++y)
+    for (std::uint32_t x = 0; x < field.width; ++x) {
+      const auto row = cell(origin.y + y + 0.5, from.y, to.y, pixels.image.height);
+      const auto column = cell(origin.x + x + 0.5, from.x, to.x, pixels.image.width);
+      field.values.push_back(row && column ? static_cast<float>(pixels.values[*row * pixels.image.width + *column])
+                                           : std::numeric_limits<float>::quiet_NaN());
+    }
+  for (std::uint32_t s = 0; s < scene_.surfaces.size(); ++s) cut_along(sheet_.from(s), sheet_.to(s), origin, field);
+  const double cell_width = (to.x - from.x) / pixels.image.width;
+  draw_light_contours(canvas, std::move(field), pixels.levels, cell_width, origin, sheet_.unit());
 }
 
 void ScenePicturePainter2::draw_targets(PictureCanvas& canvas) const {

@@ -20,6 +20,8 @@ struct ScenePixels2 {
   Raster image{};
   std::array<double, 2> min{}, max{};  // the region they cover, in scene coordinates
   bool smooth = true;
+  // Contours over them: a number for each, NaN where there is none, and the levels, which may be none.
+  std::vector<double> values{}, levels{};
 };
 
 // Draws the plan. Without colouring each emitting face has a bright stripe on its side.
@@ -32,6 +34,8 @@ struct ScenePixels2 {
 //   (3) nothing leaves the picture
 //   (4) a legend iff there is colouring
 //   (5) a key is left out where the footer has no room for it
+//   (6) contours of the pixels beneath are over these and below the walls, which they do not cross
+//   (draw_light_contours)
 // Degenerate: a scene without surfaces is an empty sheet.
 // Throws UsageError for a width out of range, ContractViolation for a target that is no surface. COST: O(n log n).
 class ScenePicturePainter2 {
@@ -47,6 +51,7 @@ class ScenePicturePainter2 {
 
  private:
   void draw_pixels(PictureCanvas& canvas) const;
+  void draw_cell_contours(PictureCanvas& canvas) const;
   void draw_targets(PictureCanvas& canvas) const;
   void draw_footer(PictureCanvas& canvas) const;
   std::optional<Colour> colour(std::uint32_t run) const;

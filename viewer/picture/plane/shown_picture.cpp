@@ -1,8 +1,11 @@
 #include "viewer/picture/plane/shown_picture.h"
 
+#include <limits>
+
 #include "kernel/rational.h"
 #include "kernel/support/failure.h"
 #include "viewer/picture/colour_map.h"
+#include "viewer/picture/light_contours.h"
 #include "viewer/picture/plane/scene_painter.h"
 
 namespace hottel {
@@ -19,7 +22,7 @@ ScenePicture2 shown_plan_2(const ShownValues& values, const ShownPlan2& plan) {
 namespace {
 
 // Each cell a pixel, rows from the largest y down; transparent where there is no value.
-std::shared_ptr<const ScenePixels2> pixels_of(const ShownCells2& cells) {
+std::shared_ptr<const ScenePixels2> pixels_of(const ShownCells2& cells, int contours) {
   const Grid2& grid = cells.grid;
   HOTTEL_REQUIRE(cells.values.elements.size() == std::size_t{grid.nx} * grid.ny);
   auto pixels = std::make_shared<ScenePixels2>();
@@ -32,7 +35,9 @@ std::shared_ptr<const ScenePixels2> pixels_of(const ShownCells2& cells) {
       const std::optional<double>& value = cells.values.elements[std::size_t{grid.ny - 1 - y} * grid.nx + x];
       const Colour colour = value ? scale_colour(cells.values.scale, *value) : Colour{0, 0, 0, 0};
       pixels->image.pixels[std::size_t{y} * grid.nx + x] = pixel_of(colour);
+      pixels->values.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
     }
+  pixels->levels = light_contours(pixels->values, 1, contours);
   return pixels;
 }
 
@@ -41,7 +46,7 @@ std::shared_ptr<const ScenePixels2> pixels_of(const ShownCells2& cells) {
 std::string shown_picture_2(const PreparedScene2& prepared, const ShownValues& values, const ShownPlan2& plan,
                             PictureFormat format, const ShownCells2* cells) {
   ScenePicture2 picture = shown_plan_2(values, plan);
-  if (cells != nullptr) picture.pixels = pixels_of(*cells);
+  if (cells != nullptr) picture.pixels = pixels_of(*cells, plan.contours);
   return scene_picture_2(prepared, picture, format);
 }
 

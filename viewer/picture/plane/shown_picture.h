@@ -22,6 +22,7 @@ struct ShownPlan2 {
   std::uint32_t width = 0;
   bool has_axes = false;
   Shading shading = Shading::kFlat;
+  int contours = 0;  // of the cells: about so many lines of equal values, at most (light_contours)
 };
 ScenePicture2 shown_plan_2(const ShownValues& values, const ShownPlan2& plan);
 
