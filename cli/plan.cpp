@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "cli/command.h"
@@ -15,6 +16,7 @@
 #include "geometry/plane/prepared/element_table.h"
 #include "geometry/scene_names.h"
 #include "io/files/disk_space.h"
+#include "io/results/planned_nodes.h"
 #include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
 #include "io/sums/plane/exact_on_disk.h"
@@ -36,6 +38,7 @@ struct PlanOptions {
   SkyOption sky;
   std::string out_of_core;
   std::optional<std::uint64_t> memory;
+  std::optional<int> nodes, cores;
   bool json = false;
 };
 
@@ -47,6 +50,7 @@ struct Planned {
   // In the plane, beside the memory; seconds of one core, those of the second what the disk adds.
   std::optional<PlannedLists> lists;
   std::optional<PlannedOnDisk> on_disk;
+  double preparing = 0;  // in the plane: seconds of one core that every process takes for itself
 };
 
 // cells: of the grid.
@@ -55,7 +59,7 @@ std::optional<PlannedMemory> memory_of(const PlanOptions& options, const AnyScen
   MemoryQuestion question = solving_question(scene);
   question.cells = cells;
   question.pairs_on_disk = !options.out_of_core.empty();
-  const bool is_asked = options.memory || question.pairs_on_disk;
+  const bool is_asked = options.memory || question.pairs_on_disk || options.nodes;
   if (!is_asked && !is_divided(scene)) return std::nullopt;
   const MemoryLimits limits = memory_limits(options.memory.value_or(0));
   const double room = is_asked ? 0 : static_cast<double>(limits.of_all);
@@ -119,10 +123,13 @@ Planned plan_of(const PlanOptions& options, Scene2 scene) {
     if (is_given) throw UsageError(std::string(option) + " is only for scenes in space");
   options.elements.apply_to(scene);
   scene.grids = grids_of(scene, options.grid);
-  Planned result{nullptr, memory_of(options, scene, cells_of(scene.grids)), {}, {}};
+  Planned result{nullptr, memory_of(options, scene, cells_of(scene.grids)), {}, {}, 0};
   const Simulation2 simulation(std::move(scene), {.light = *light_kind_2(options.illumination)});
   if (is_had(result.memory)) result.effects = simulation.plan();
   if (result.memory) result.lists = lists_of(simulation, result.memory->estimate, result.effects != nullptr);
+  if (options.nodes && result.effects)
+    result.preparing =
+        seconds_of_factors_2(static_cast<double>(simulation.prepared()->arrangement.vertices().size()), 0);
   if (!options.out_of_core.empty() && result.effects)
     result.on_disk = on_disk_of(options, simulation.scene(), result.lists->pairs);
   return result;
@@ -132,17 +139,34 @@ Planned plan_of(const PlanOptions& options, Scene3 scene) {
   if (!options.out_of_core.empty()) throw UsageError("--out-of-core is for scenes in the plane");
   options.elements.apply_to(scene);
   const std::uint64_t cells = cells_of(grids_of(scene, options.grid));
-  Planned result{nullptr, memory_of(options, scene, cells), {}, {}};
+  Planned result{nullptr, memory_of(options, scene, cells), {}, {}, 0};
   const PlanRequest light = light_of(options, scene, cells);
   if (is_had(result.memory))
     result.effects = Simulation3(std::move(scene), {.factors = {.sky = options.sky.in_space()}, .plan = light}).plan();
   return result;
 }
 
+void refuse_nodes(const PlanOptions& options) {
+  if (options.cores && !options.nodes) throw UsageError("--cores are those of each node: say how many with --nodes");
+  if (options.nodes && !options.out_of_core.empty())
+    throw UsageError("--nodes tells nothing of --out-of-core: what stands in files is computed by one process");
+}
+
+// Where nothing is said of the cores, they are those of this machine.
+PlannedNodes nodes_of(const PlanOptions& options, const Planned& planned, const MachineSpeed& speed) {
+  const Nodes nodes{.count = *options.nodes,
+                    .cores = options.cores.value_or(speed.threads),
+                    .memory = static_cast<double>(planned.memory->limits.of_factors)};
+  return planned_nodes(planned.effects.get(), planned.preparing, speed.slowness, planned.memory->estimate, nodes);
+}
+
 ExitCode plan(const PlanOptions& options, Streams& streams) {
+  refuse_nodes(options);
   Planned planned = std::visit([&](auto&& scene) { return plan_of(options, std::move(scene)); },
-                               changeable(read_scene_noting(options.scene, options.polygons, streams)));
-  const MachineSpeed speed = planned.effects || planned.lists ? machine_speed() : MachineSpeed();
+                               read_scene_noting(options.scene, options.polygons, streams));
+  const MachineSpeed speed = planned.effects || planned.lists || options.nodes ? machine_speed() : MachineSpeed();
+  std::optional<PlannedNodes> nodes;
+  if (options.nodes) nodes = nodes_of(options, planned, speed);
   std::optional<Plan> here;
   if (planned.effects) here = plan_at_speed(*planned.effects, speed);
   if (planned.lists) planned.lists->seconds = shared_seconds(planned.lists->seconds, speed);
@@ -154,8 +178,10 @@ ExitCode plan(const PlanOptions& options, Streams& streams) {
   const PlannedMemory* const memory = planned.memory ? &*planned.memory : nullptr;
   const PlannedLists* const lists = planned.lists ? &*planned.lists : nullptr;
   const PlannedOnDisk* const on_disk = planned.on_disk ? &*planned.on_disk : nullptr;
-  streams.write("", options.json ? plan_json(options.scene, effects, memory, lists, on_disk)
-                                 : plan_text(effects, memory, lists, on_disk));
+  std::string told = options.json ? plan_json(options.scene, effects, memory, lists, on_disk)
+                                  : plan_text(effects, memory, lists, on_disk);
+  if (nodes) told = options.json ? with_nodes(told, *nodes) : told + nodes_text(*nodes);
+  streams.write("", told);
   return ExitCode::kDone;
 }
 
@@ -168,7 +194,8 @@ void add_plan(Commands& commands) {
       {"hottel plan scenes/showcase/apartment.json", "hottel plan scenes/analytic/square_radiosity.json --json",
        "hottel plan scenes/space/two_boxes.json --elements 4",
        "hottel plan scenes/space/two_boxes.json --elements 1000 --memory 8000000000",
-       "hottel plan scenes/showcase/apartment.json --elements 100 --out-of-core /tmp"},
+       "hottel plan scenes/showcase/apartment.json --elements 100 --out-of-core /tmp",
+       "hottel plan scenes/space/two_boxes.json --elements 8 --nodes 4 --cores 64 --memory 256000000000"},
       [options](Streams& streams) { return plan(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
   options->elements.add_to(command);
@@ -199,6 +226,15 @@ void add_plan(Commands& commands) {
           "fits: elements and factors into so many bytes, "
           "all into the machine. Nothing is made of what does not fit the machine")
       ->type_name("BYTES")
+      ->transform(whole_number(1));
+  command
+      .add_option("--nodes", options->nodes,
+                  "tell what hottel-mpi would take on so many machines, one process each, by a model: seconds, the "
+                  "memory of each (--memory, or as this machine has), and the least number of them")
+      ->type_name("N")
+      ->transform(whole_number(1));
+  command.add_option("--cores", options->cores, "cores of each of the nodes; without it as many as here")
+      ->type_name("N")
       ->transform(whole_number(1));
   command.add_flag("--json", options->json, "as one JSON object");
 }

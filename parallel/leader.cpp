@@ -1,5 +1,6 @@
 #include "parallel/leader.h"
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <utility>
@@ -7,6 +8,7 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
+#include "parallel/led_shares.h"
 #include "parallel/message.h"
 #include "parallel/words.h"
 
@@ -14,12 +16,49 @@ namespace hottel {
 
 Leader::Leader(Channel& channel) : channel_(channel), is_waiting_(static_cast<std::size_t>(channel.ranks()), 0) {}
 
+void Leader::reply(int rank, Word word, const std::string& bytes) {
+  is_waiting_[static_cast<std::size_t>(rank)] = 0;
+  channel_.send(rank, word, bytes);
+}
+
 std::unique_ptr<LedWork> Leader::begin(const std::function<Job()>& make) {
   const std::lock_guard lock(together_);
   if (is_busy_ || channel_.ranks() == 1) return nullptr;
   auto work = std::make_unique<LedWork>(*this, make(), ++jobs_, threads_allowed());
   is_busy_ = true;
   return work;
+}
+
+std::vector<int> Leader::waiting_helpers() {
+  // Whoever has done the last job asks at once; one that is still busy with it is not waited for.
+  constexpr auto kPatience = std::chrono::milliseconds(100);
+  const auto until = std::chrono::steady_clock::now() + kPatience;
+  const auto is_missing = [](char is_waiting) { return is_waiting == 0; };
+  for (Nap nap; std::any_of(is_waiting_.begin() + 1, is_waiting_.end(), is_missing);) {
+    if (const auto message = channel_.receive())
+      is_waiting_[static_cast<std::size_t>(message->rank)] =
+          1;  // what it found of a job that was given up is of no use
+    else if (std::chrono::steady_clock::now() < until)
+      nap.take();
+    else
+      break;
+  }
+  std::vector<int> helpers;
+  for (std::size_t rank = 1; rank < is_waiting_.size(); ++rank)
+    if (is_waiting_[rank] != 0) helpers.push_back(static_cast<int>(rank));
+  return helpers;
+}
+
+std::unique_ptr<LedShares> Leader::begin_shares(const std::function<std::string(std::size_t, std::size_t)>& share) {
+  const std::lock_guard lock(together_);
+  if (is_busy_ || channel_.ranks() == 1) return nullptr;
+  std::vector<int> helpers = waiting_helpers();
+  if (helpers.empty()) return nullptr;
+  const std::uint64_t id = ++jobs_;
+  for (std::size_t k = 1; k <= helpers.size(); ++k)
+    reply(helpers[k - 1], Word::kJob, job_message(id, threads_allowed(), share(k, helpers.size())));
+  is_busy_ = true;
+  return std::make_unique<LedShares>(*this, id, std::move(helpers));
 }
 
 void Leader::end(int code) {
@@ -79,7 +118,8 @@ void LedWork::stop() {
 void LedWork::speak() {
   try {
     for (std::size_t rank = 1; rank < leader_.is_waiting_.size(); ++rank)
-      if (leader_.is_waiting_[rank] != 0) reply(static_cast<int>(rank), Word::kJob, job_message());
+      if (leader_.is_waiting_[rank] != 0)
+        leader_.reply(static_cast<int>(rank), Word::kJob, job_message(id_, threads_, job_.bytes));
     const auto is_over = [this] {
       const std::lock_guard lock(mutex_);
       return is_over_;
@@ -99,24 +139,13 @@ void LedWork::speak() {
   }
 }
 
-void LedWork::reply(int rank, Word word, const std::string& bytes) {
-  leader_.is_waiting_[static_cast<std::size_t>(rank)] = 0;
-  leader_.channel_.send(rank, word, bytes);
-}
-
-std::string LedWork::job_message() const {
-  MessageWriter writer;
-  writer.put(id_, threads_);
-  return writer.bytes() + job_.bytes;
-}
-
 void LedWork::answer(const Message& message) {
   const int rank = message.rank;
   leader_.is_waiting_[static_cast<std::size_t>(rank)] = 1;
   MessageReader reader(message.bytes);
   const WantHead head = read_want(reader);
   if (head.job != id_)  // what it found of a job that was given up is of no use
-    return reply(rank, Word::kJob, job_message());
+    return leader_.reply(rank, Word::kJob, job_message(id_, threads_, job_.bytes));
   if (head.want == Want::kCannot)
     throw RequestError("rank " + std::to_string(rank) + " cannot take part: " + std::string(reader.rest()));
   if (head.want != Want::kWork) take_in(rank, head, std::string(reader.rest()));
@@ -143,7 +172,7 @@ void LedWork::give_more(int rank) {
     if (tasks.is_empty()) return;
     out_.emplace(rank, tasks);
   }
-  reply(rank, Word::kTasks, tasks_message(tasks, job_.telling ? job_.telling(tasks) : ""));
+  leader_.reply(rank, Word::kTasks, tasks_message(tasks, job_.telling ? job_.telling(tasks) : ""));
 }
 
 }  // namespace hottel

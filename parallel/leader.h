@@ -34,6 +34,7 @@ struct Job {
   std::function<std::string(const WorkRange&)> telling = {};
 };
 
+class LedShares;
 class LedWork;
 
 // Who leads. Helpers ask for work, so none is waited for but one that has tasks in hand.
@@ -45,11 +46,19 @@ class Leader {
   // Begins to share the job that is made, with as many threads of each helper as may work here; null where there are no
   // helpers, or they have another job. From any thread.
   std::unique_ptr<LedWork> begin(const std::function<Job()>& make);
+  // Begins a job of which each helper keeps a share: share(k, helpers) are the bytes of the k-th of them, from 1 on.
+  // Takes part who waits for work, or does so soon; null where nobody does, or helpers have another job. From any
+  // thread.
+  std::unique_ptr<LedShares> begin_shares(const std::function<std::string(std::size_t, std::size_t)>& share);
   // Sends the helpers home with an exit code, each after what it does now. REQUIRES that no work is there; once.
   void end(int code);
 
  private:
+  friend class LedShares;
   friend class LedWork;
+  std::vector<int> waiting_helpers();                         // REQUIRES the lock
+  void reply(int rank, Word word, const std::string& bytes);  // to one that waits
+
   Channel& channel_;
   std::mutex together_;
   bool is_busy_ = false;
@@ -76,8 +85,6 @@ class LedWork : public SharedWork<FoundBytes> {
   void answer(const Message& message);
   void take_in(int rank, const WantHead& head, std::string bytes);
   void give_more(int rank);
-  void reply(int rank, Word word, const std::string& bytes);
-  std::string job_message() const;
 
   Leader& leader_;
   const Job job_;

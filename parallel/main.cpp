@@ -1,4 +1,4 @@
-// The program `hottel-mpi`: the same as `hottel`, whose view factors several processes compute.
+// The program `hottel-mpi`: the same as `hottel`, whose view factors and radiosities several processes compute.
 #include <algorithm>
 #include <memory>
 
@@ -8,34 +8,40 @@
 #include "parallel/helper.h"
 #include "parallel/leader.h"
 #include "parallel/plane/sweep_crew.h"
+#include "parallel/row_crew.h"
 #include "parallel/space/pair_crew.h"
 
 namespace hottel {
 namespace {
 
-constexpr char kPlane = '2', kSpace = '3';
+constexpr char kPlane = '2', kSpace = '3', kRows = 'r';
 
-// Jobs of either dimension.
+// Jobs of all kinds.
 class AllJobs : public HelperJobs {
  public:
   std::unique_ptr<HelperJob> make(std::string_view bytes) override {
-    HelperJobs& jobs = bytes.front() == kPlane ? plane_ : static_cast<HelperJobs&>(space_);
-    return jobs.make(bytes.substr(1));
+    HelperJobs* jobs = &rows_;
+    if (bytes.front() == kPlane) jobs = &plane_;
+    if (bytes.front() == kSpace) jobs = &space_;
+    return jobs->make(bytes.substr(1));
   }
 
  private:
   SweepJobs2 plane_;
   PairJobs3 space_;
+  RowJobs rows_;
 };
 
 int lead(Channel& channel, int argc, const char* const* argv) {
   Leader leader(channel);
   LedSweepCrew2 plane(leader, kPlane);
   LedPairCrew3 space(leader, kSpace);
+  LedRowCrew rows(leader, kRows);
   int code = 0;
   {
     const CrewScope<SweepCrew2> in_the_plane(plane);
     const CrewScope<PairCrew3> in_space(space);
+    const CrewScope<RowCrew> of_systems(rows);
     Commands commands;
     add_all_commands(commands);
     commands.set_threads(std::max(1, threads_allowed() / channel.ranks_on_these_cores()));

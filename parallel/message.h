@@ -3,11 +3,15 @@
 
 #include <bit>
 #include <cstdint>
+#include <cstring>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "io/scene/binary_values.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 
@@ -27,6 +31,17 @@ class MessageWriter {
   void put_text(std::string_view text) {
     put(std::uint64_t{text.size()});
     bytes_ += text;
+  }
+  // How many there are, and each as it lies in memory.
+  template <class T>
+  void put_all(std::span<const T> values) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    put(std::uint64_t{values.size()});
+    bytes_.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
+  }
+  template <class T>
+  void put_all(const std::vector<T>& values) {
+    put_all(std::span<const T>(values));
   }
   const std::string& bytes() const { return bytes_; }
 
@@ -53,6 +68,17 @@ class MessageReader {
     const std::string_view text = bytes_.substr(values_.at(), size);
     values_.pass_over(size);
     return text;
+  }
+  // What put_all() wrote.
+  template <class T>
+  std::vector<T> take_all() {
+    static_assert(std::is_trivially_copyable_v<T>);
+    const auto size = take<std::uint64_t>();
+    HOTTEL_REQUIRE(size <= values_.bytes_left() / sizeof(T));
+    std::vector<T> values(size);
+    if (size > 0) std::memcpy(static_cast<void*>(values.data()), bytes_.data() + values_.at(), size * sizeof(T));
+    values_.pass_over(size * sizeof(T));
+    return values;
   }
   // All that is left.
   std::string_view rest() const { return bytes_.substr(values_.at()); }

@@ -37,6 +37,13 @@ inline WantHead read_want(MessageReader& reader) {
   return head;
 }
 
+// Of Word::kJob: its number, how many threads work on it, and what it is.
+inline std::string job_message(std::uint64_t id, int threads, std::string_view job) {
+  MessageWriter writer;
+  writer.put(id, threads);
+  return writer.bytes() + std::string(job);
+}
+
 // Of Word::kTasks: what is told of them follows.
 inline std::string tasks_message(const WorkRange& tasks, std::string_view told) {
   MessageWriter writer;

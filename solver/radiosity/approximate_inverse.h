@@ -27,8 +27,9 @@ class ApproximateInverse {
 };
 
 // Conjugate gradients on the symmetric form, preconditioned by the diagonal, the constant of each component deflated.
-// `history`, when given, gets max |residual| / max |right side| of each solve, the start included.
-// REQUIRES rows that are closed and that outlive it.
+// `history`, when given, gets max |residual| / max |right side| of each solve, the start included. `others` multiply
+// some rows (null: none do): the same bits with and without.
+// REQUIRES rows that are closed; these and the others outlive it.
 struct CgLimits {
   int iterations = 5000;
   double until = 1e-10;  // relative, of the largest residual
@@ -36,13 +37,15 @@ struct CgLimits {
 std::unique_ptr<const ApproximateInverse> make_conjugate_gradient(const SymmetricRows& rows,
                                                                   const std::vector<char>& is_wanted,
                                                                   CgLimits limits = {},
-                                                                  std::vector<double>* history = nullptr);
+                                                                  std::vector<double>* history = nullptr,
+                                                                  SharedRows* others = nullptr);
 
 // I - rho F as it is: LU with partial pivoting, which needs the system no more, or BiCGSTAB, whose diagonal is 1
 // already.
 std::unique_ptr<const ApproximateInverse> make_lu(const PlainSystem& system, std::size_t components);
 std::unique_ptr<const ApproximateInverse> make_bicgstab(std::shared_ptr<const PlainSystem> system,
                                                         std::size_t components, CgLimits limits = {},
-                                                        std::vector<double>* history = nullptr);
+                                                        std::vector<double>* history = nullptr,
+                                                        SharedRows* others = nullptr);
 
 }  // namespace hottel

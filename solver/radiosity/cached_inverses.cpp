@@ -35,8 +35,9 @@ std::shared_ptr<const ApproximateInverse> CachedInverses::elimination(const std:
 
 std::shared_ptr<const ApproximateInverse> CachedInverses::conjugate_gradient(const std::vector<char>& is_wanted,
                                                                              CgLimits limits,
-                                                                             std::vector<double>* history) const {
-  return make_conjugate_gradient(rows(), is_wanted, limits, history);
+                                                                             std::vector<double>* history,
+                                                                             SharedRows* others) const {
+  return make_conjugate_gradient(rows(), is_wanted, limits, history, others);
 }
 
 std::shared_ptr<CachedInverses::Plain> CachedInverses::last(const std::vector<char>& is_wanted) const {
@@ -72,15 +73,18 @@ std::shared_ptr<const ApproximateInverse> CachedInverses::single_precision_lu(
 }
 
 std::shared_ptr<const ApproximateInverse> CachedInverses::bicgstab(const std::vector<char>& is_wanted, CgLimits limits,
-                                                                   std::vector<double>* history) const {
-  return make_bicgstab(plain(is_wanted), system_.components().size(), limits, history);
+                                                                   std::vector<double>* history,
+                                                                   SharedRows* others) const {
+  return make_bicgstab(plain(is_wanted), system_.components().size(), limits, history, others);
 }
 
-bool CachedInverses::light_dies_out(const std::vector<char>& is_wanted, const ApproximateInverse& inverse) const {
+bool CachedInverses::light_dies_out(const std::vector<char>& is_wanted, const ApproximateInverse& inverse,
+                                    SharedRows* others) const {
   const std::shared_ptr<Plain> kept = last(is_wanted);
   // Not under a lock: others help with the work, and may be asked the same meanwhile.
   if (kept->dies_out == Plain::Known::kNot)
-    kept->dies_out = spectral_radius_is_below_one(system_, inverse, is_wanted) ? Plain::Known::kYes : Plain::Known::kNo;
+    kept->dies_out =
+        spectral_radius_is_below_one(system_, inverse, is_wanted, others) ? Plain::Known::kYes : Plain::Known::kNo;
   return kept->dies_out == Plain::Known::kYes;
 }
 

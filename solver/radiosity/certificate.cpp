@@ -84,14 +84,14 @@ void start_where_nothing_is(const RadiositySystem& system, SplitVector& v) {
 
 // For components in which nothing is proven: v = 1, whose image is what each row loses. It takes no factor.
 void take_ones_where_nothing_is_proven(const RadiositySystem& system, const std::vector<char>& is_wanted,
-                                       const ErrorTerms& terms, PositiveVector& found) {
+                                       const ErrorTerms& terms, SharedRows* others, PositiveVector& found) {
   std::vector<char> is_left = is_wanted;
   for (std::size_t c = 0; c < is_left.size(); ++c) is_left[c] = is_wanted[c] && !found.is_proven[c];
   if (std::find(is_left.begin(), is_left.end(), 1) == is_left.end()) return;
   SplitVector one = zero_of(system);
   for (std::size_t c = 0; c < is_left.size(); ++c)
     if (is_left[c]) one.constant[c] = {1, 0};
-  const std::vector<DoubleDoubleBall> minus_image = system.residual(nullptr, one, is_left, terms);
+  const std::vector<DoubleDoubleBall> minus_image = system.residual({nullptr, one, is_left, terms}, others);
   for (std::size_t c = 0; c < is_left.size(); ++c)
     if (is_left[c]) found.v.constant[c] = one.constant[c], found.is_proven[c] = 1;
   for (std::size_t i = 0; i < system.size(); ++i) {
@@ -105,15 +105,15 @@ void take_ones_where_nothing_is_proven(const RadiositySystem& system, const std:
 
 // Looks for v > 0 with A v near `target` > 0.
 PositiveVector positive_vector(const RadiositySystem& system, const ApproximateInverse& inverse,
-                               const std::vector<char>& is_wanted, std::vector<double> target,
-                               const ErrorTerms& terms) {
+                               const std::vector<char>& is_wanted, std::vector<double> target, const ErrorTerms& terms,
+                               SharedRows* others) {
   const std::size_t n = system.size();
   PositiveVector result{zero_of(system), std::vector<double>(n, 0), {}};
   add(inverse.solve(target), result.v);
   start_where_nothing_is(system, result.v);
   for (int round = 0;; ++round) {
     throw_if_interrupted();
-    const std::vector<DoubleDoubleBall> minus_image = system.residual(nullptr, result.v, is_wanted, terms);
+    const std::vector<DoubleDoubleBall> minus_image = system.residual({nullptr, result.v, is_wanted, terms}, others);
     result.is_proven = is_wanted;
     std::vector<double> correction(n, 0);
     bool is_settled = true;
@@ -147,7 +147,7 @@ Correction solve_by_component(const RadiositySystem& system, const ApproximateIn
 }
 
 std::vector<double> refine(const RadiositySystem& system, const Sources& sources, const ApproximateInverse& inverse,
-                           SplitVector& x, std::vector<DoubleDoubleBall>* last) {
+                           SplitVector& x, std::vector<DoubleDoubleBall>* last, SharedRows* others) {
   std::vector<double> history;
   if (last != nullptr) last->assign(system.size(), {});
   const std::size_t count = system.components().size();
@@ -155,7 +155,7 @@ std::vector<double> refine(const RadiositySystem& system, const Sources& sources
   std::vector<double> best(count, kInfinity), relative(count, 0);
   for (int step = 0;; ++step) {
     throw_if_interrupted();
-    const std::vector<DoubleDoubleBall> r = system.residual(&sources, x, is_open);
+    const std::vector<DoubleDoubleBall> r = system.residual({&sources, x, is_open}, others);
     std::vector<double> largest(count, 0), excess(count, 0), right_side(r.size(), 0);
     for (std::size_t i = 0; i < r.size(); ++i) {
       const std::uint32_t c = system.rows()[i].component;
@@ -191,15 +191,16 @@ ScaledBall CertifiedBounds::enclosed(std::size_t unknown) const {
 }
 
 CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, const ApproximateInverse& inverse,
-                        const SplitVector& x, const ErrorTerms& terms, const std::vector<DoubleDoubleBall>* residual) {
+                        const SplitVector& x, const ErrorTerms& terms, const std::vector<DoubleDoubleBall>* residual,
+                        SharedRows* others) {
   const std::size_t n = system.size();
   std::vector<DoubleDoubleBall> made;
-  if (residual == nullptr) made = system.residual(&sources, x, sources.is_lit, terms);
+  if (residual == nullptr) made = system.residual({&sources, x, sources.is_lit, terms}, others);
   const std::vector<DoubleDoubleBall>& r = residual != nullptr ? *residual : made;
-  PositiveVector positive =
-      positive_vector(system, inverse, sources.is_lit, near_one(system, sources.is_lit, r), {.meant = terms.meant});
+  PositiveVector positive = positive_vector(system, inverse, sources.is_lit, near_one(system, sources.is_lit, r),
+                                            {.meant = terms.meant}, others);
   if (terms.meant == FactorsMeant::kWithinBounds)
-    take_ones_where_nothing_is_proven(system, sources.is_lit, terms, positive);
+    take_ones_where_nothing_is_proven(system, sources.is_lit, terms, others, positive);
 
   std::vector<double> up(system.components().size(), 0), down(system.components().size(), 0);
   for (std::size_t i = 0; i < n; ++i) {
@@ -242,10 +243,10 @@ CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, c
 }
 
 bool spectral_radius_is_below_one(const RadiositySystem& system, const ApproximateInverse& inverse,
-                                  const std::vector<char>& is_wanted) {
+                                  const std::vector<char>& is_wanted, SharedRows* others) {
   std::vector<double> target(system.size(), 0);
   for (std::size_t i = 0; i < system.size(); ++i) target[i] = is_wanted[system.rows()[i].component] ? 1 : 0;
-  return positive_vector(system, inverse, is_wanted, target, {}).is_proven == is_wanted;
+  return positive_vector(system, inverse, is_wanted, target, {}, others).is_proven == is_wanted;
 }
 
 }  // namespace hottel

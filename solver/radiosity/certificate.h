@@ -8,6 +8,9 @@
 
 namespace hottel {
 
+// Of all that follows, `others` form some rows of residuals (row_crew.h; null: none do): the same bits with and
+// without.
+
 // Bounds of one solution: by unknown, each in a unit 2^exponent. That is the unit of its component, or one in which
 // what is far darker than the brightest there is near 1.
 struct CertifiedBounds {
@@ -27,7 +30,7 @@ Correction solve_by_component(const RadiositySystem& system, const ApproximateIn
 // `last` gets the enclosed residual of the x that it leaves.
 // COST: one residual and one inner solve a step; two or three steps after an elimination.
 std::vector<double> refine(const RadiositySystem& system, const Sources& sources, const ApproximateInverse& inverse,
-                           SplitVector& x, std::vector<DoubleDoubleBall>* last = nullptr);
+                           SplitVector& x, std::vector<DoubleDoubleBall>* last = nullptr, SharedRows* others = nullptr);
 
 // Encloses the solution of A B = E, given x near it.
 //
@@ -48,10 +51,10 @@ std::vector<double> refine(const RadiositySystem& system, const Sources& sources
 // round when A v > 0 is not settled.
 CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, const ApproximateInverse& inverse,
                         const SplitVector& x, const ErrorTerms& terms = {},
-                        const std::vector<DoubleDoubleBall>* residual = nullptr);
+                        const std::vector<DoubleDoubleBall>* residual = nullptr, SharedRows* others = nullptr);
 
 // True iff the spectral radius of rho F is proven to be below 1 in all wanted components. COST: as certify().
 bool spectral_radius_is_below_one(const RadiositySystem& system, const ApproximateInverse& inverse,
-                                  const std::vector<char>& is_wanted);
+                                  const std::vector<char>& is_wanted, SharedRows* others = nullptr);
 
 }  // namespace hottel

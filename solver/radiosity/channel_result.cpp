@@ -18,12 +18,14 @@ ChannelResults::ChannelResults(const RadiositySystem& system, const std::vector<
 }
 
 void ChannelResults::fill(const RadiositySources& given, int channel, const Sources& sources,
-                          const CertifiedBounds& bounds, FactorsMeant meant, ChannelSolution& solution) const {
+                          const CertifiedBounds& bounds, FactorsMeant meant, SharedRows* others,
+                          ChannelSolution& solution) const {
   for (std::size_t c = 0; c < sources.is_lit.size(); ++c)
     if (!sources.is_lit[c])
       solution.dark.push_back({system_.components()[c].first_element, system_.components()[c].size});
   const Numbers numbers = numbers_of(given, channel);
-  fill_irradiances(numbers, fill_radiosities(numbers, sources, bounds, solution), meant, solution);
+  const std::vector<ScaledBall> radiosity = fill_radiosities(numbers, sources, bounds, solution);
+  fill_irradiances(numbers, radiosity, system_.irradiance(radiosity, meant, others), solution);
 }
 
 ChannelResults::Numbers ChannelResults::numbers_of(const RadiositySources& given, int channel) const {
@@ -92,9 +94,8 @@ std::vector<ScaledBall> ChannelResults::fill_radiosities(const Numbers& numbers,
 }
 
 void ChannelResults::fill_irradiances(const Numbers& numbers, const std::vector<ScaledBall>& radiosity,
-                                      FactorsMeant meant, ChannelSolution& solution) const {
+                                      const std::vector<ScaledBall>& exchange, ChannelSolution& solution) const {
   const ExchangeMatrix& matrix = system_.matrix();
-  const std::vector<ScaledBall> exchange = system_.irradiance(radiosity, meant);
   EnergySum energy(matrix);
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;

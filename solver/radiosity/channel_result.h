@@ -21,9 +21,9 @@ class ChannelResults {
   ChannelResults(const RadiositySystem& system, const std::vector<Rational>& reflectivity, bool is_refined);
 
   // `sources` are those of `channel` in the units of the system; `bounds` of all unknowns, and not looked at where
-  // nothing is lit; both hold for the factors that are `meant`.
+  // nothing is lit; both hold for the factors that are `meant`. `others` form some irradiances (null: none do).
   void fill(const RadiositySources& given, int channel, const Sources& sources, const CertifiedBounds& bounds,
-            FactorsMeant meant, ChannelSolution& solution) const;
+            FactorsMeant meant, SharedRows* others, ChannelSolution& solution) const;
 
  private:
   // What is emitted and what arrives directly, by element, the sky last.
@@ -36,8 +36,8 @@ class ChannelResults {
   // Returns the radiosities, enclosed.
   std::vector<ScaledBall> fill_radiosities(const Numbers& numbers, const Sources& sources,
                                            const CertifiedBounds& bounds, ChannelSolution& solution) const;
-  void fill_irradiances(const Numbers& numbers, const std::vector<ScaledBall>& radiosity, FactorsMeant meant,
-                        ChannelSolution& solution) const;
+  void fill_irradiances(const Numbers& numbers, const std::vector<ScaledBall>& radiosity,
+                        const std::vector<ScaledBall>& exchange, ChannelSolution& solution) const;
 
   const RadiositySystem& system_;
   std::vector<double> reflectivity_;  // by material, correctly rounded

@@ -6,13 +6,13 @@
 #include "kernel/support/parallel.h"
 #include "solver/radiosity/approximate_inverse.h"
 #include "solver/radiosity/block_sums.h"
+#include "solver/radiosity/row_crew.h"
 #include "solver/radiosity/symmetric_rows.h"
 
 namespace hottel {
 namespace {
 
-constexpr std::size_t kGrain = 64;         // rows a task
-constexpr std::size_t kGrainOfOne = 4096;  // the same where a row is a few additions
+constexpr std::size_t kGrainOfOne = 4096;  // rows a task, where a row is a few additions
 
 template <class F>
 void of_each(std::size_t n, const F& f) {
@@ -26,8 +26,13 @@ double inner_product(const std::vector<double>& a, const std::vector<double>& b)
 class ConjugateGradient : public ApproximateInverse {
  public:
   ConjugateGradient(const SymmetricRows& rows, const std::vector<char>& is_wanted, CgLimits limits,
-                    std::vector<double>* history)
-      : rows_(rows), is_wanted_(is_wanted), limits_(limits), history_(history), defects_(is_wanted.size(), 0) {
+                    std::vector<double>* history, SharedRows* others)
+      : rows_(rows),
+        is_wanted_(is_wanted),
+        limits_(limits),
+        history_(history),
+        others_(others),
+        defects_(is_wanted.size(), 0) {
     for (std::size_t i = 0; i < rows.defect.size(); ++i) defects_[rows_.component[i]] += rows_.defect[i];
   }
 
@@ -127,20 +132,18 @@ class ConjugateGradient : public ApproximateInverse {
   }
 
   void multiply(const std::vector<double>& p, std::vector<double>& kp) const {
-    parallel_ranges(p.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        double sum = 0;
-        for (std::size_t e = rows_.begin[i]; e < rows_.begin[i + 1]; ++e)
-          sum += rows_.coupling_of[e] * (p[i] - p[rows_.to[e]]);
-        kp[i] = sum + rows_.defect[i] * p[i];
-      }
-    });
+    const auto here = [&](const WorkRange& unknowns) { rows_.multiply(unknowns, p, kp); };
+    if (others_ != nullptr)
+      others_->multiply(RowProduct::kSymmetric, p, here, kp);
+    else
+      here({0, p.size()});
   }
 
   const SymmetricRows& rows_;
   std::vector<char> is_wanted_;
   CgLimits limits_;
   std::vector<double>* history_;
+  SharedRows* others_;
   std::vector<double> defects_;  // by component
 };
 
@@ -148,8 +151,8 @@ class ConjugateGradient : public ApproximateInverse {
 
 std::unique_ptr<const ApproximateInverse> make_conjugate_gradient(const SymmetricRows& rows,
                                                                   const std::vector<char>& is_wanted, CgLimits limits,
-                                                                  std::vector<double>* history) {
-  return std::make_unique<ConjugateGradient>(rows, is_wanted, limits, history);
+                                                                  std::vector<double>* history, SharedRows* others) {
+  return std::make_unique<ConjugateGradient>(rows, is_wanted, limits, history, others);
 }
 
 }  // namespace hottel

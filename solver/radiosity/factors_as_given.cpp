@@ -116,7 +116,7 @@ struct FactorsAsGiven::Run {
       ChannelSolution& channel = solution.channels[static_cast<std::size_t>(channels[k])];
       const CertifiedBounds bounds =
           solver ? solver->solve(sources[k], terms, channel.residual_history, notes, times) : CertifiedBounds();
-      results.fill(given, channels[k], sources[k], bounds, terms.meant, channel);
+      results.fill(given, channels[k], sources[k], bounds, terms.meant, solver ? solver->others() : nullptr, channel);
       times.lap("irradiance");
       if (options.progress)
         options.progress(static_cast<double>(++done) / static_cast<double>(solution.channels.size()));

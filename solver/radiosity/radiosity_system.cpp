@@ -7,10 +7,12 @@
 #include <climits>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "kernel/support/disjoint_sets.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
+#include "solver/radiosity/row_crew.h"
 
 namespace hottel {
 namespace {
@@ -161,6 +163,16 @@ RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector
   find_components();
 }
 
+RadiositySystem::RadiositySystem(const ExchangeMatrix& some_rows, SystemNumbers numbers)
+    : matrix_(&some_rows),
+      rows_are_closed_(numbers.rows_are_closed),
+      has_negative_factors_(numbers.has_negative_factors),
+      unknown_(std::move(numbers.unknown)),
+      rows_(std::move(numbers.rows)),
+      components_(std::move(numbers.components)) {
+  HOTTEL_REQUIRE(unknown_.size() == some_rows.size() + std::size_t{1});
+}
+
 void RadiositySystem::find_components() {
   SharedDisjointSets sets(rows_.size());
   std::vector<char> loses(rows_.size());
@@ -194,39 +206,56 @@ DoubleDoubleBall RadiositySystem::value(const SplitVector& x, std::size_t unknow
   return sum(DoubleDoubleBall::of(x.constant[rows_[unknown].component]), DoubleDoubleBall::of(x.rest[unknown]));
 }
 
-std::vector<DoubleDoubleBall> RadiositySystem::residual(const Sources* sources, const SplitVector& x,
-                                                        const std::vector<char>& is_wanted,
-                                                        const ErrorTerms& terms) const {
-  HOTTEL_REQUIRE(terms.meant == FactorsMeant::kAsGiven || rows_are_closed());
+std::vector<DoubleDoubleBall> RadiositySystem::residual(const ResidualQuestion& question, SharedRows* others) const {
   std::vector<DoubleDoubleBall> result(rows_.size());
+  const auto here = [&](const WorkRange& unknowns) { set_residual(question, unknowns, result); };
+  if (others != nullptr)
+    others->residual(question, here, result);
+  else
+    here({0, rows_.size()});
+  return result;
+}
+
+void RadiositySystem::set_residual(const ResidualQuestion& question, const WorkRange& unknowns,
+                                   std::vector<DoubleDoubleBall>& result) const {
+  const std::vector<DoubleDouble>& rest = question.x.rest;
+  HOTTEL_REQUIRE(question.terms.meant == FactorsMeant::kAsGiven || rows_are_closed());
+  HOTTEL_REQUIRE(unknowns.end <= rows_.size() && result.size() == rows_.size());
   const auto is_zero = [](const DoubleDouble& value) { return value.hi == 0 && value.lo == 0; };
-  const bool is_start = std::all_of(x.rest.begin(), x.rest.end(), is_zero);  // nothing is exchanged yet
-  parallel_ranges(rows_.size(), kGrain, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const SystemRow& row = rows_[i];
-      if (!is_wanted[row.component]) continue;
-      const DoubleDoubleBall here = value(x, i);
-      DifferenceSum exchanged(terms);
-      const FactorRow factors = matrix_->row(row.element);
-      for (std::size_t k = 0; k < factors.size(); ++k) {
-        const FactorEntry entry = factors[k];
-        const std::int32_t j = unknown_[entry.to];
-        if (j >= 0 && is_start) {
-          exchanged.add_zero();
-        } else if (j >= 0) {
-          exchanged.add(entry.factor, x.rest[i], x.rest[static_cast<std::size_t>(j)], 0,
-                        reach_of(*matrix_, row.element, k, terms.meant));
-        } else {
-          const DoubleDoubleBall there = sources ? sources->emission_in(row.component, entry.to) : DoubleDoubleBall();
-          exchanged.add(entry.factor, {here.hi, here.lo}, {there.hi, there.lo}, here.radius + there.radius,
-                        reach_of(*matrix_, row.element, k, terms.meant));
-        }
-      }
-      const DoubleDoubleBall left = sum(product(row.loss, here), product(row.reflectivity, exchanged.result()));
-      result[i] = difference(sources ? sources->emission_in(row.component, row.element) : DoubleDoubleBall(), left);
-      if (!terms.roundings && !terms.factors) result[i].radius = 0;
-    }
+  const bool is_start = std::all_of(rest.begin(), rest.end(), is_zero);  // nothing is exchanged yet
+  parallel_ranges(unknowns.size(), kGrain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = unknowns.begin + first; i < unknowns.begin + last; ++i)
+      if (question.is_wanted[rows_[i].component]) result[i] = residual_of_row(question, i, is_start);
   });
+}
+
+DoubleDoubleBall RadiositySystem::residual_of_row(const ResidualQuestion& question, std::size_t i,
+                                                  bool is_start) const {
+  const Sources* const sources = question.sources;
+  const SplitVector& x = question.x;
+  const ErrorTerms& terms = question.terms;
+  const SystemRow& row = rows_[i];
+  const DoubleDoubleBall here = value(x, i);
+  DifferenceSum exchanged(terms);
+  const FactorRow factors = matrix_->row(row.element);
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    const FactorEntry entry = factors[k];
+    const std::int32_t j = unknown_[entry.to];
+    if (j >= 0 && is_start) {
+      exchanged.add_zero();
+    } else if (j >= 0) {
+      exchanged.add(entry.factor, x.rest[i], x.rest[static_cast<std::size_t>(j)], 0,
+                    reach_of(*matrix_, row.element, k, terms.meant));
+    } else {
+      const DoubleDoubleBall there = sources ? sources->emission_in(row.component, entry.to) : DoubleDoubleBall();
+      exchanged.add(entry.factor, {here.hi, here.lo}, {there.hi, there.lo}, here.radius + there.radius,
+                    reach_of(*matrix_, row.element, k, terms.meant));
+    }
+  }
+  const DoubleDoubleBall left = sum(product(row.loss, here), product(row.reflectivity, exchanged.result()));
+  DoubleDoubleBall result =
+      difference(sources ? sources->emission_in(row.component, row.element) : DoubleDoubleBall(), left);
+  if (!terms.roundings && !terms.factors) result.radius = 0;
   return result;
 }
 
@@ -271,14 +300,25 @@ ScaledBall gathered_far(const ExchangeMatrix& matrix, std::uint32_t i, const std
 
 }  // namespace
 
-std::vector<ScaledBall> RadiositySystem::irradiance(const std::vector<ScaledBall>& radiosity,
-                                                    FactorsMeant meant) const {
+std::vector<ScaledBall> RadiositySystem::irradiance(const std::vector<ScaledBall>& radiosity, FactorsMeant meant,
+                                                    SharedRows* others) const {
+  std::vector<ScaledBall> result(matrix_->size());
+  const auto here = [&](const WorkRange& elements) { set_irradiance(radiosity, meant, elements, result); };
+  if (others != nullptr)
+    others->irradiance(radiosity, meant, here, result);
+  else
+    here({0, matrix_->size()});
+  return result;
+}
+
+void RadiositySystem::set_irradiance(const std::vector<ScaledBall>& radiosity, FactorsMeant meant,
+                                     const WorkRange& elements, std::vector<ScaledBall>& result) const {
   HOTTEL_REQUIRE(meant == FactorsMeant::kAsGiven || rows_are_closed());
+  HOTTEL_REQUIRE(elements.end <= matrix_->size() && result.size() == matrix_->size());
   int unit = INT_MIN;
   for (const ScaledBall& b : radiosity)
     if (!b.is_zero()) unit = std::max(unit, b.exponent);
-  std::vector<ScaledBall> result(matrix_->size());
-  if (unit == INT_MIN) return result;
+  if (unit == INT_MIN) return;
   std::vector<DoubleDoubleBall> in_unit;
   std::vector<char> is_far;
   bool is_any_far = false;
@@ -287,8 +327,8 @@ std::vector<ScaledBall> RadiositySystem::irradiance(const std::vector<ScaledBall
     is_far.push_back(!b.is_zero() && in_unit.back().size() < kFar);
     is_any_far |= is_far.back() != 0;
   }
-  parallel_ranges(matrix_->size(), kGrain, [&](std::size_t first, std::size_t last) {
-    for (auto i = static_cast<std::uint32_t>(first); i < last; ++i) {
+  parallel_ranges(elements.size(), kGrain, [&](std::size_t first, std::size_t last) {
+    for (auto i = static_cast<std::uint32_t>(elements.begin + first); i < elements.begin + last; ++i) {
       const auto row = matrix_->row(i);
       if (!matrix_->has_row(i) || row.empty()) continue;
       const bool sees_far =
@@ -298,7 +338,6 @@ std::vector<ScaledBall> RadiositySystem::irradiance(const std::vector<ScaledBall
                                                                        : ScaledBall::of(near, unit);
     }
   });
-  return result;
 }
 
 PlainSystem::PlainSystem(const RadiositySystem& system, const std::vector<char>& is_wanted) {
@@ -345,11 +384,21 @@ double PlainSystem::gathered(std::size_t i, const std::vector<double>& x) const 
   return sum;
 }
 
-std::vector<double> PlainSystem::residual(const std::vector<double>& of, const std::vector<double>& x) const {
-  std::vector<double> result(of.size());
-  parallel_ranges(of.size(), kGrain, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) result[i] = of[i] - (x[i] - gathered(i, x));
+void PlainSystem::multiply(const WorkRange& unknowns, const std::vector<double>& x, std::vector<double>& result) const {
+  parallel_ranges(unknowns.size(), kGrain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = unknowns.begin + first; i < unknowns.begin + last; ++i) result[i] = gathered(i, x);
   });
+}
+
+std::vector<double> PlainSystem::residual(const std::vector<double>& of, const std::vector<double>& x,
+                                          SharedRows* others) const {
+  std::vector<double> result(of.size());
+  const auto here = [&](const WorkRange& unknowns) { multiply(unknowns, x, result); };
+  if (others != nullptr)
+    others->multiply(RowProduct::kPlain, x, here, result);
+  else
+    here({0, of.size()});
+  for (std::size_t i = 0; i < of.size(); ++i) result[i] = of[i] - (x[i] - result[i]);
   return result;
 }
 

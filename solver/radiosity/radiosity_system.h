@@ -8,10 +8,13 @@
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/material.h"
+#include "geometry/shared_work.h"
 #include "solver/radiosity/radiosity_sources.h"
 #include "solver/radiosity/scaled_ball.h"
 
 namespace hottel {
+
+class SharedRows;
 
 // One number an unknown, with what is common to the unknowns of a component kept apart: x_i = constant + rest_i. Near
 // reflectivity 1 the constant is huge and only differences of the rest matter; they are formed before rounding.
@@ -61,6 +64,23 @@ struct ErrorTerms {
   FactorsMeant meant = FactorsMeant::kAsGiven;
 };
 
+// What a residual is asked of: E - A x by rows. Without sources: -A x, with 0 for all that is known. Rows of components
+// that `is_wanted` leaves out are 0.
+struct ResidualQuestion {
+  const Sources* sources;  // null: none
+  const SplitVector& x;
+  const std::vector<char>& is_wanted;
+  ErrorTerms terms{};
+};
+
+// What of a system does not follow from some rows of its matrix alone.
+struct SystemNumbers {
+  bool rows_are_closed = false, has_negative_factors = false;
+  std::vector<std::int32_t> unknown;  // by element, the sky last: as RadiositySystem::unknown()
+  std::vector<SystemRow> rows;
+  std::vector<SystemComponent> components;
+};
+
 // B_i = E_i + rho_i (sum_j F_ij B_j + D_i) for the channels of one reflectivity vector, in row-defect form:
 //   (A x)_i = loss_i x_i + rho_i sum_j F_ij (x_i - x_j) = E_i + rho_i D_i,        loss_i = 1 - rho_i sum_j F_ij.
 //
@@ -85,6 +105,9 @@ class RadiositySystem {
   RadiositySystem(const ExchangeMatrix& matrix, const std::vector<Rational>& reflectivity);
   RadiositySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel)
       : RadiositySystem(matrix, in_channel(reflectivities_of(materials), channel)) {}
+  // The system of these numbers, of which some rows are here and all others are empty: who has the others forms theirs.
+  // Knows no absorptivity and no sources. REQUIRES that the matrix outlives this.
+  RadiositySystem(const ExchangeMatrix& some_rows, SystemNumbers numbers);
 
   const ExchangeMatrix& matrix() const { return *matrix_; }
   // True if the matrix is exact; also if no entry is estimated and factors within their bounds may sum to
@@ -113,10 +136,11 @@ class RadiositySystem {
   // The sources when one element (or the sky) emits 1 and nothing else does.
   Sources unit_source(std::uint32_t element) const;
 
-  // Returns E - A x by rows, enclosed. Without sources: -A x, with 0 for all that is known. Rows of components that
-  // `is_wanted` leaves out are 0.
-  std::vector<DoubleDoubleBall> residual(const Sources* sources, const SplitVector& x,
-                                         const std::vector<char>& is_wanted, const ErrorTerms& terms = {}) const;
+  // Returns the residual by rows, enclosed; `others` form some of them (null: none do).
+  std::vector<DoubleDoubleBall> residual(const ResidualQuestion& question, SharedRows* others = nullptr) const;
+  // Sets it for some unknowns. REQUIRES a member of `result` for each unknown, 0 at first.
+  void set_residual(const ResidualQuestion& question, const WorkRange& unknowns,
+                    std::vector<DoubleDoubleBall>& result) const;
 
   // Returns x_i as one number.
   DoubleDoubleBall value(const SplitVector& x, std::size_t unknown) const;
@@ -125,11 +149,16 @@ class RadiositySystem {
   // Its width is that of the radiosities and half an ulp or so of H_i, however much the radiosities differ; it is
   // exactly 0 where all of them are. With kWithinBounds that of all factors within their bounds whose rows sum to 1:
   // what is unknown of a factor counts times the difference of two radiosities.
+  // `others` form some rows (null: none do).
   std::vector<ScaledBall> irradiance(const std::vector<ScaledBall>& radiosity,
-                                     FactorsMeant meant = FactorsMeant::kAsGiven) const;
+                                     FactorsMeant meant = FactorsMeant::kAsGiven, SharedRows* others = nullptr) const;
+  // Sets it for some elements. REQUIRES a member of `result` for each element, 0 at first.
+  void set_irradiance(const std::vector<ScaledBall>& radiosity, FactorsMeant meant, const WorkRange& elements,
+                      std::vector<ScaledBall>& result) const;
 
  private:
   void find_components();
+  DoubleDoubleBall residual_of_row(const ResidualQuestion& question, std::size_t i, bool is_start) const;
   Sources in_units(const std::vector<const RationalEnclosure*>& emission) const;  // by element, the sky last; null: 0
 
   const ExchangeMatrix* matrix_;
@@ -153,8 +182,12 @@ struct PlainSystem {
   PlainSystem(const RadiositySystem& system, const std::vector<char>& is_wanted);
   // Returns the row of scatter times x.
   double gathered(std::size_t i, const std::vector<double>& x) const;
-  // Returns of - (I - scatter) x, for any source `of`. COST: one pass over the entries, over all threads.
-  std::vector<double> residual(const std::vector<double>& of, const std::vector<double>& x) const;
+  // Sets scatter times x for some unknowns, over all threads.
+  void multiply(const WorkRange& unknowns, const std::vector<double>& x, std::vector<double>& result) const;
+  // Returns of - (I - scatter) x, for any source `of`; `others` form some rows (null: none do). COST: one pass over the
+  // entries, over all threads.
+  std::vector<double> residual(const std::vector<double>& of, const std::vector<double>& x,
+                               SharedRows* others = nullptr) const;
 };
 
 // The right side of a plain system: the sources of one channel.

@@ -68,4 +68,15 @@ void SymmetricRows::set_row(const RadiositySystem& system, std::size_t i, double
   defect[i] = weight[i] * row.loss.hi + area * to_known;
 }
 
+void SymmetricRows::multiply(const WorkRange& unknowns, const std::vector<double>& x,
+                             std::vector<double>& result) const {
+  parallel_ranges(unknowns.size(), kGrain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = unknowns.begin + first; i < unknowns.begin + last; ++i) {
+      double sum = 0;
+      for (std::size_t e = begin[i]; e < begin[i + 1]; ++e) sum += coupling_of[e] * (x[i] - x[to[e]]);
+      result[i] = sum + defect[i] * x[i];
+    }
+  });
+}
+
 }  // namespace hottel

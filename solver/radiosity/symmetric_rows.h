@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/shared_work.h"
 #include "kernel/support/unset_array.h"
 #include "solver/radiosity/radiosity_system.h"
 
@@ -28,6 +29,9 @@ struct SymmetricRows {
 
   // One row for each unknown of the system, whose matrix is not needed afterwards.
   explicit SymmetricRows(const RadiositySystem& system);
+  // Sets K x for some unknowns, each row summed in the order of its columns. COST: one pass over their entries, on all
+  // threads.
+  void multiply(const WorkRange& unknowns, const std::vector<double>& x, std::vector<double>& result) const;
 
  private:
   void set_row(const RadiositySystem& system, std::size_t i, double largest);

@@ -46,7 +46,16 @@ void SystemSolver::prepare_symmetric() {
   const bool is_dense = largest <= kMostDenseUnknowns;
   used_ = options_.solver != Solver::kAuto ? options_.solver : is_dense ? Solver::kCholesky : Solver::kCg;
   const bool by_elimination = used_ == Solver::kCholesky || (used_ != Solver::kCg && is_dense);
-  inverse_ = by_elimination ? kept_.inverses.elimination(is_wanted_) : kept_.inverses.conjugate_gradient(is_wanted_);
+  if (by_elimination) {
+    inverse_ = kept_.inverses.elimination(is_wanted_);
+    return;
+  }
+  share_rows();
+  inverse_ = kept_.inverses.conjugate_gradient(is_wanted_, {}, nullptr, others());
+}
+
+void SystemSolver::share_rows() {
+  if (RowCrew* const crew = CrewScope<RowCrew>::crew()) others_ = crew->begin(kept_.system, is_wanted_);
 }
 
 void SystemSolver::prepare_any(bool may_be_open) {
@@ -63,8 +72,12 @@ void SystemSolver::prepare_any(bool may_be_open) {
   else if (may_be_single)
     inverse_ = kept_.inverses.single_precision_lu(is_wanted_);
   used_ = options_.solver != Solver::kAuto ? options_.solver : inverse_ ? Solver::kLu : Solver::kBicgstab;
-  if (!inverse_) inverse_ = kept_.inverses.bicgstab(is_wanted_);
-  if (!may_be_open && !kept_.system.has_negative_factors() && !kept_.inverses.light_dies_out(is_wanted_, *inverse_))
+  if (!inverse_) {
+    share_rows();
+    inverse_ = kept_.inverses.bicgstab(is_wanted_, {}, nullptr, others());
+  }
+  if (!may_be_open && !kept_.system.has_negative_factors() &&
+      !kept_.inverses.light_dies_out(is_wanted_, *inverse_, others()))
     throw RequestError(
         "no radiosity: the spectral radius of reflectivity times factors is not below 1 (or too near it to tell); "
         "rows of the matrix sum to more than 1");
@@ -82,7 +95,7 @@ CertifiedBounds SystemSolver::solve(const Sources& sources, const ErrorTerms& te
   SplitVector x{std::vector<DoubleDouble>(is_wanted_.size()), std::vector<DoubleDouble>(system.size())};
   std::vector<DoubleDoubleBall> last;
   if (is_refined())
-    history = refine(system, sources, *inverse_, x, &last);
+    history = refine(system, sources, *inverse_, x, &last, others());
   else
     run_as_named(sources, x, history, notes);
   times.lap("radiosity");
@@ -90,7 +103,7 @@ CertifiedBounds SystemSolver::solve(const Sources& sources, const ErrorTerms& te
   const bool is_as_given = terms.meant == FactorsMeant::kAsGiven;
   const bool knows_residual =
       is_refined() && terms.factors && terms.roundings && is_as_given && !system.has_negative_factors();
-  CertifiedBounds bounds = certify(system, sources, *inverse_, x, terms, knows_residual ? &last : nullptr);
+  CertifiedBounds bounds = certify(system, sources, *inverse_, x, terms, knows_residual ? &last : nullptr, others());
   if (system.rows_are_closed() && is_as_given) kept_.wide.narrow(sources, {is_refined(), !is_refined()}, bounds);
   times.lap("certificate");
   if (system.matrix().guarantee() == Guarantee::kExact) require_bounds(system, bounds);
@@ -115,8 +128,8 @@ void SystemSolver::run_as_named(const Sources& sources, SplitVector& x, std::vec
     take(result, x);
     return;
   } else {
-    const auto solver = used_ == Solver::kCg ? kept_.inverses.conjugate_gradient(is_wanted_, limits, &history)
-                                             : kept_.inverses.bicgstab(is_wanted_, limits, &history);
+    const auto solver = used_ == Solver::kCg ? kept_.inverses.conjugate_gradient(is_wanted_, limits, &history, others())
+                                             : kept_.inverses.bicgstab(is_wanted_, limits, &history, others());
     take(solve_by_component(kept_.system, *solver, source.value), x);
   }
   if (!(history.back() <= (options_.until || !options_.iterations ? until : kWorthANote)))

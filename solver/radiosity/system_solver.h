@@ -12,6 +12,7 @@
 #include "solver/radiosity/certificate.h"
 #include "solver/radiosity/high_precision_elimination.h"
 #include "solver/radiosity/radiosity_options.h"
+#include "solver/radiosity/row_crew.h"
 
 namespace hottel {
 
@@ -40,6 +41,7 @@ struct StageTimes {
 //   (1) which solver is used follows from the options and from the largest component that is wanted, or, where rows do
 //       not sum to 1, from the size of the system
 //   (2) every result is certified alike, whichever solver that is
+//   (3) where it iterates, other processes take part in it if there is a crew (RowCrew); an elimination is done here
 // REQUIRES that the system and the options outlive this.
 class SystemSolver {
  public:
@@ -51,6 +53,8 @@ class SystemSolver {
   Solver used() const { return used_; }
   // Whether solutions are refined until they are as good as their factors.
   bool is_refined() const;
+  // Who else has rows of the system; null: nobody.
+  SharedRows* others() const { return others_.get(); }
 
   // Bounds of all unknowns; what was done is added to `history` and `notes`. REQUIRES sources that shine on wanted
   // components alone.
@@ -60,13 +64,15 @@ class SystemSolver {
  private:
   void prepare_symmetric();
   void prepare_any(bool may_be_open);
+  void share_rows();
   void run_as_named(const Sources& sources, SplitVector& x, std::vector<double>& history,
                     std::set<std::string>& notes) const;
 
   const CachedSystem& kept_;
   std::vector<char> is_wanted_;
   const RadiosityOptions& options_;
-  std::shared_ptr<const ApproximateInverse> inverse_;
+  std::unique_ptr<SharedRows> others_;
+  std::shared_ptr<const ApproximateInverse> inverse_;  // it may use the others
   Solver used_ = Solver::kAuto;
 };
 

@@ -56,8 +56,8 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
 class Bicgstab : public ApproximateInverse {
  public:
   Bicgstab(std::shared_ptr<const PlainSystem> system, std::size_t components, CgLimits limits,
-           std::vector<double>* history)
-      : system_(std::move(system)), components_(components), limits_(limits), history_(history) {}
+           std::vector<double>* history, SharedRows* others)
+      : system_(std::move(system)), components_(components), limits_(limits), history_(history), others_(others) {}
 
   Correction solve(const std::vector<double>& b) const override {
     const std::size_t n = b.size();
@@ -102,7 +102,7 @@ class Bicgstab : public ApproximateInverse {
 
  private:
   std::vector<double> times(const std::vector<double>& x, const std::vector<double>& zero) const {
-    std::vector<double> result = system_->residual(zero, x);
+    std::vector<double> result = system_->residual(zero, x, others_);
     for (double& value : result) value = -value;
     return result;
   }
@@ -111,6 +111,7 @@ class Bicgstab : public ApproximateInverse {
   std::size_t components_;
   CgLimits limits_;
   std::vector<double>* history_;
+  SharedRows* others_;
 };
 
 }  // namespace
@@ -121,8 +122,8 @@ std::unique_ptr<const ApproximateInverse> make_lu(const PlainSystem& system, std
 
 std::unique_ptr<const ApproximateInverse> make_bicgstab(std::shared_ptr<const PlainSystem> system,
                                                         std::size_t components, CgLimits limits,
-                                                        std::vector<double>* history) {
-  return std::make_unique<Bicgstab>(std::move(system), components, limits, history);
+                                                        std::vector<double>* history, SharedRows* others) {
+  return std::make_unique<Bicgstab>(std::move(system), components, limits, history, others);
 }
 
 }  // namespace hottel

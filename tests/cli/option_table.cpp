@@ -590,6 +590,18 @@ const std::vector<OptionEntry>& option_entries() {
        "hottel plan $S --memory 1000000",
        "hottel plan $S",
        {{"hottel plan $S --memory 0", "--memory"}, {"hottel plan $S --memory 1e9", "--memory"}}},
+      {"plan",
+       "--nodes",
+       "hottel plan $S --nodes 4",
+       "hottel plan $S",
+       {{"hottel plan $S --nodes 0", "--nodes"},
+        {"hottel plan $S --nodes 2 --out-of-core d", "--nodes tells nothing of --out-of-core"}}},
+      {"plan",
+       "--cores",
+       "hottel plan $S --nodes 4 --cores 999",
+       "hottel plan $S --nodes 4",
+       {{"hottel plan $S --cores 8", "--cores are those of each node"},
+        {"hottel plan $S --nodes 2 --cores 0", "--cores"}}},
 
       // New options of solve have their place here.
       {"reference",

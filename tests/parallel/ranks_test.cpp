@@ -104,6 +104,16 @@ TEST(Ranks, GiveWhatOtherCommandsGive) {
   expect_same_on({2}, "factors " + kScenes + "showcase/apartment.json --checkpoint sums -o f.csv");
 }
 
+// Systems so large that their rows are shared, in both dimensions.
+TEST(Ranks, GiveTheRadiositiesOfOneProcess) {
+  const Workplace place;
+  place.run("hottel generate clutter --n 1500 --view long --seed 3 -o clutter.json");
+  const std::string clutter = place.path("clutter.json").string();
+  expect_same_on({1, 2, 3, 5}, "solve " + clutter + " -o out --no-illumination --no-picture");
+  expect_same_on({3}, "solve " + clutter + " -o out --no-illumination --no-picture --solver bicgstab");
+  expect_same_on({1, 2, 3, 5}, "solve " + kScenes + "space/cube.json --elements 10 -o out --render none.png");
+}
+
 TEST(Ranks, RefuseOnceWithTheCodeOfOneProcess) {
   const Workplace place;
   const auto count_of = [](const std::string& text, const std::string& part) {
