@@ -334,7 +334,9 @@ void add_factors(Commands& commands) {
       ->transform(whole_number(1));
   options->sums.add_to(command,
                        "the sums of pairs go to files in this folder while the run lasts, so that it keeps to --memory "
-                       "however many pairs there are; the same result");
+                       "however many pairs there are; the same result",
+                       "in the plane: the same, and the files stay where the run is ended: the same command goes on "
+                       "from there");
   command
       .add_option("--picture", options->picture,
                   "draw the scene (.png, .svg, .pdf), faces coloured by their factor to --toward")

@@ -8,6 +8,7 @@
 #include "cli/deck_requests.h"
 #include "cli/script_f.h"
 #include "cli/sights_in_space.h"
+#include "cli/streamed_factors_in_space.h"
 #include "geometry/space/exchange/written_outlines.h"
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
@@ -52,8 +53,8 @@ FactorsRequest3 request_in_space(const FactorsOptions& options, const Scene3& sc
 }  // namespace
 
 void factors_in_space(FactorsOptions& options, Scene3 scene, const Streams& streams) {
-  options.sums.refuse_in_space();
   require_what_space_has(options);
+  const bool by_rows = streams_rows_in_space(options);
   FactorsRequest3 request = request_in_space(options, scene);
   options.elements.apply_to(scene);
   require_room_for(options, [&](FactorFormat format) {
@@ -73,6 +74,7 @@ void factors_in_space(FactorsOptions& options, Scene3 scene, const Streams& stre
     files.finish();
     return files.commit();
   }
+  if (by_rows) return write_streamed_factors_in_space(options, simulation, origin, files, streams);
   simulation.require_closed(streams.stages());
   if (takes_groups_of_many(options, simulation.factors(streams.stages())->matrix.entry_count(), streams)) {
     request.granularity = options.per();

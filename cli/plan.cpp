@@ -163,7 +163,7 @@ PlannedNodes nodes_of(const PlanOptions& options, const Planned& planned, const 
 ExitCode plan(const PlanOptions& options, Streams& streams) {
   refuse_nodes(options);
   Planned planned = std::visit([&](auto&& scene) { return plan_of(options, std::move(scene)); },
-                               read_scene_noting(options.scene, options.polygons, streams));
+                               changeable(read_scene_noting(options.scene, options.polygons, streams)));
   const MachineSpeed speed = planned.effects || planned.lists || options.nodes ? machine_speed() : MachineSpeed();
   std::optional<PlannedNodes> nodes;
   if (options.nodes) nodes = nodes_of(options, planned, speed);

@@ -417,8 +417,9 @@ void add_solve(Commands& commands) {
   options->store.add_to(command);
   options->sums.add_to(
       command,
-      "view factors go to files in this folder while the run lasts, so that factors and radiosities keep "
-      "to --memory beside the scene, however many pairs there are; the same result");
+      "in the plane: view factors go to files in this folder while the run lasts, so that factors and radiosities keep "
+      "to --memory beside the scene, however many pairs there are; the same result",
+      "the same, and the files stay where the run is ended: the same command goes on from there");
   command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
       ->type_name("BYTES")
       ->transform(whole_number(1));

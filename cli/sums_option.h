@@ -13,9 +13,9 @@ namespace hottel {
 struct SumsOption {
   std::string out_of_core, checkpoint;  // folders, of which one is given at the most
 
-  // Adds both to the command line of a command. what: what goes to files, and what comes of it. REQUIRES that this
-  // outlives the command.
-  void add_to(CLI::App& command, const std::string& what);
+  // Adds both to the command line of a command. what: what goes to files, and what comes of it; staying: the same of
+  // files that stay. REQUIRES that this outlives the command.
+  void add_to(CLI::App& command, const std::string& what, const std::string& staying);
   bool is_given() const { return !folder().empty(); }
   std::string folder() const { return out_of_core + checkpoint; }
   const char* name() const { return checkpoint.empty() ? "--out-of-core" : "--checkpoint"; }

@@ -14,13 +14,29 @@ void refuse_promise(const SceneTable& scene, const Element& element, std::option
                                  factor ? fmt::format(" (F = {})", shortest(*factor)) : ""));
 }
 
-void require_closed(const SceneTable& scene, const ExchangeMatrix& matrix) {
-  if (!scene.closed) return;
-  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+namespace {
+
+// Looks at some of the rows.
+void require_closed(const SceneTable& scene, const ExchangeMatrix& matrix, const RowRange& rows) {
+  for (std::uint32_t i = rows.first; i < rows.end; ++i) {
     const Element& element = matrix.elements()[i];
     if (element.is_back || !matrix.has_row(i)) continue;
     const Rounded sky = matrix.factor(i, matrix.sky());
     if (sky.value != 0 || sky.side != 0) refuse_promise(scene, element, sky.value);
+  }
+}
+
+}  // namespace
+
+void require_closed(const SceneTable& scene, const ExchangeMatrix& matrix) {
+  if (scene.closed) require_closed(scene, matrix, {0, matrix.size()});
+}
+
+void require_closed(const SceneTable& scene, RowRanges& rows) {
+  if (!scene.closed) return;
+  for (std::size_t k = 0; k < rows.count(); ++k) {
+    const RowRange range = rows.load(k);
+    require_closed(scene, rows.matrix(), range);
   }
 }
 

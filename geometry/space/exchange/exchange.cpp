@@ -52,21 +52,48 @@ std::vector<ElementPair> hidden_pairs(const PreparedScene3& prepared, Granularit
   return result;
 }
 
+namespace {
+
+// Pairs that have no enclosure: how many, and the first of them.
+class PairsWithoutEnclosure {
+ public:
+  void add(const ExchangeMatrix& matrix, const RowRange& rows) {
+    for (std::uint32_t i = rows.first; i < rows.end; ++i)
+      for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {
+        const std::uint32_t to = matrix.row(i)[k].to;
+        // Each pair once: (to, i) is there too where `to` has a row.
+        const bool is_told = to < i && matrix.has_row(to);
+        if (is_told || matrix.guarantee(i, k) != Guarantee::kEstimated) continue;
+        if (count_++ < kNamedPairs) text_ += (text_.empty() ? "" : "; ") + pair_text(matrix.elements(), i, to);
+      }
+  }
+  void require_none(double tolerance) const {
+    if (count_ == 0) return;
+    throw RequestError(fmt::format("{} no enclosure within {}: {}{}",
+                                   count_ == 1 ? "a pair has" : fmt::format("{} pairs have", count_),
+                                   shortest(tolerance), text_, count_ > kNamedPairs ? "; ..." : ""));
+  }
+
+ private:
+  std::size_t count_ = 0;
+  std::string text_;
+};
+
+}  // namespace
+
 void require_enclosed_3(const ExchangeMatrix& matrix, double tolerance) {
-  std::size_t count = 0;
-  std::string text;
-  for (std::uint32_t i = 0; i < matrix.size(); ++i)
-    for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {
-      const std::uint32_t to = matrix.row(i)[k].to;
-      // Each pair once: (to, i) is there too where `to` has a row.
-      const bool is_told = to < i && matrix.has_row(to);
-      if (is_told || matrix.guarantee(i, k) != Guarantee::kEstimated) continue;
-      if (count++ < kNamedPairs) text += (text.empty() ? "" : "; ") + pair_text(matrix.elements(), i, to);
-    }
-  if (count == 0) return;
-  throw RequestError(fmt::format("{} no enclosure within {}: {}{}",
-                                 count == 1 ? "a pair has" : fmt::format("{} pairs have", count), shortest(tolerance),
-                                 text, count > kNamedPairs ? "; ..." : ""));
+  PairsWithoutEnclosure pairs;
+  pairs.add(matrix, {0, matrix.size()});
+  pairs.require_none(tolerance);
+}
+
+void require_enclosed_3(RowRanges& rows, double tolerance) {
+  PairsWithoutEnclosure pairs;
+  for (std::size_t k = 0; k < rows.count(); ++k) {
+    const RowRange range = rows.load(k);
+    pairs.add(rows.matrix(), range);
+  }
+  pairs.require_none(tolerance);
 }
 
 }  // namespace hottel

@@ -5,6 +5,7 @@
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/exchange_request.h"
+#include "geometry/row_ranges.h"
 #include "geometry/space/exchange/exchange_report.h"
 
 namespace hottel {
@@ -49,5 +50,7 @@ std::vector<ElementPair> hidden_pairs(const PreparedScene3& prepared, Granularit
 
 // Throws RequestError, telling how many pairs have no enclosure and naming the first of them, unless all have.
 void require_enclosed_3(const ExchangeMatrix& matrix, double tolerance);
+// The same of rows.
+void require_enclosed_3(RowRanges& rows, double tolerance);
 
 }  // namespace hottel

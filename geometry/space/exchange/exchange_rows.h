@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -13,6 +14,8 @@
 #include "geometry/exchange_matrix.h"
 #include "geometry/exchange_request.h"
 #include "geometry/space/exchange/exchange_report.h"
+#include "geometry/space/exchange/measured_rows.h"
+#include "geometry/space/exchange/pair_source.h"
 #include "geometry/space/exchange/pair_sum.h"
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
@@ -28,11 +31,14 @@ namespace hottel {
 //       come are the same, bit for bit
 //   (4) an element whose pair with the sky cannot be measured has none until all rows are there (take_rest_for_sky);
 //       where the sky is told by closure no element has any but those that are checked
+//   (5) where a keeper is given it gets the pairs as they are done, and they are nowhere else: what add() returns and
+//       pairs() are empty
 // Throws as exact_exchange does, of pairs with the sky at the end. REQUIRES that the scene outlives it.
 class ExchangeRows3 {
  public:
-  // Of the request progress is not called.
-  ExchangeRows3(const PreparedScene3& prepared, const ExchangeRequest& request);
+  // Of the request progress is not called. REQUIRES that the keeper, if any, outlives this.
+  ExchangeRows3(const PreparedScene3& prepared, const ExchangeRequest& request, PairKeeper3* keeper = nullptr);
+  ExchangeRows3(const ExchangeRows3&) = delete;
 
   const ElementTable3& table() const { return table_; }
   // Whether the element has a row that is asked for, and it is not there yet.
@@ -68,18 +74,25 @@ class ExchangeRows3 {
   // As element_corners.
   std::vector<std::vector<std::array<double, 3>>> corners() const;
 
-  // REQUIRES missing() == 0; may be called once.
+  // REQUIRES missing() == 0, and no keeper; may be called once.
   ExchangeMatrix matrix(ExchangeReport3* report = nullptr);
+  // The rows of that matrix, a range at a time, of what the keeper has. REQUIRES missing() == 0, and that this outlives
+  // them; may be called once. Throws as matrix() does.
+  std::unique_ptr<MeasuredRows3> rows(ExchangeReport3* report = nullptr);
 
  private:
   bool is_asked(std::uint32_t label) const { return is_chosen_[label] != 0 && table_.has_row(label); }
   bool is_by_closure() const { return request_.sky == SkyBy::kClosure; }
   void measure(const PairTurn3& turn, const std::function<void(double)>& progress);
   void measure_skies();
+  std::vector<char> skies_left();
+  void keep(std::span<const PairSum3> pairs);
+  std::vector<FailedPair3> failed_skies();
   void measure_alone(std::span<PairSum3> pairs) const;
 
   const PreparedScene3& prepared_;
   const ExchangeRequest request_;
+  PairKeeper3* const keeper_;
   const std::uint64_t most_;  // pairs
   const ElementTable3& table_;
   ExchangeReport3 report_;
@@ -89,8 +102,9 @@ class ExchangeRows3 {
   bool has_skies_ = false;       // by closure: what has to be integrated besides has been
   std::uint32_t missing_ = 0;
   std::vector<PairSum3> pairs_;
-  PairRanges known_;  // from elsewhere
-  PairSink3 sink_;    // gets what is done
+  std::uint64_t kept_ = 0;  // pairs that the keeper has
+  PairRanges known_;        // from elsewhere
+  PairSink3 sink_;          // gets what is done
   std::chrono::duration<double> between_{2};
   std::vector<FailedPair3> without_sky_;  // pairs with the sky that could not be measured
 };

@@ -54,7 +54,7 @@ void PairHandover3::hand_over_settled(std::vector<PairSum3>& pairs, const std::v
   if (settled.empty()) return;
   std::erase_if(pairs, [&](const PairSum3& pair) { return known.has(pair.i, pair.j); });
   request_.sink(settled, known);
-  handed_.insert(handed_.end(), settled.begin(), settled.end());
+  if (!request_.has_sink_alone) handed_.insert(handed_.end(), settled.begin(), settled.end());
 }
 
 std::vector<PairSum3> PairHandover3::take() {
@@ -76,7 +76,7 @@ void PairHandover3::hand_over() {
   }
   if (is_any) {
     request_.sink(pairs, known);
-    handed_.insert(handed_.end(), pairs.begin(), pairs.end());
+    if (!request_.has_sink_alone) handed_.insert(handed_.end(), pairs.begin(), pairs.end());
   }
   next_.store((Clock::now() + std::chrono::duration_cast<Clock::duration>(request_.between)).time_since_epoch().count(),
               std::memory_order_relaxed);

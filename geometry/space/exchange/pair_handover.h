@@ -36,7 +36,7 @@ class PairHandover3 {
   // Hands on, and takes out of the list, pairs that were open, but for those that have failed. REQUIRES that no task
   // runs; both by (i, j).
   void hand_over_settled(std::vector<PairSum3>& pairs, const std::vector<FailedPair3>& failures);
-  // All that was handed on, by (i, j). REQUIRES that no task runs; may be called once.
+  // All that was handed on, by (i, j), unless the sink has it alone. REQUIRES that no task runs; may be called once.
   std::vector<PairSum3> take();
 
  private:

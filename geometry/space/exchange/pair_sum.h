@@ -73,6 +73,7 @@ struct PairSumRequest3 {
   const PairTurn3* turn = nullptr;            // these pairs alone; null: all
   std::optional<Granularity> shared = {};     // of the table; where it is told PairCrew3 may take part
   PairSink3 sink = {};                        // gets pairs that are done; before a failure or a stop, all of them
+  bool has_sink_alone = false;                // what it gets is not returned as well
   std::chrono::duration<double> between{2};   // the time between its calls
 };
 

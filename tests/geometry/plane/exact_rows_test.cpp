@@ -9,7 +9,7 @@
 #include "geometry/plane/exchange/requested_sums.h"
 #include "kernel/support/failure.h"
 #include "tests/geometry/plane/exchange_scenes.h"
-#include "tests/geometry/plane/same_rows.h"
+#include "tests/geometry/same_rows.h"
 
 namespace hottel::exact_rows_test {
 namespace {

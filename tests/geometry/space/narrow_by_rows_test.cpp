@@ -1,4 +1,4 @@
-// Bounds of pairs narrowed by their rows: the numbered properties of narrow_by_rows.
+// Bounds of pairs narrowed by their rows: the numbered properties of RowBounds3.
 #include "geometry/space/exchange/narrow_by_rows.h"
 
 #include <gtest/gtest.h>
@@ -25,6 +25,11 @@ class NarrowByRows : public testing::Test {
     std::vector<PairSum3> pairs(rows_.pairs().begin(), rows_.pairs().end());
     std::erase_if(pairs, [](const PairSum3& pair) { return pair.is_zero(); });
     return pairs;
+  }
+  std::uint64_t narrow(std::vector<PairSum3>& pairs) const {
+    RowBounds3 bounds(table_);
+    bounds.add(RowRange::all(), pairs);
+    return bounds.narrow(RowRange::all(), pairs);
   }
   // What the bounds of a row leave open.
   double width_of_row(const std::vector<PairSum3>& pairs, std::uint32_t row) const {
@@ -61,7 +66,7 @@ TEST_F(NarrowByRows, APairOfWhichLittleIsKnownIsToldByItsRow) {
     std::vector<PairSum3> pairs = known;
     const double area = table_.extent(pairs[k].i).enclosure().upper;
     pairs[k].bounds = {0, area};
-    EXPECT_GE(narrow_by_rows(table_, pairs), 1u);
+    EXPECT_GE(narrow(pairs), 1u);
     // No wider than all others of the row, and what is known of it is within.
     const double others = width_of_row(known, pairs[k].i) - known[k].bounds.width();
     EXPECT_LE(pairs[k].bounds.width(), others + 1e-13 * area);
@@ -85,7 +90,7 @@ TEST_F(NarrowByRows, AMeasureOutsideIsMoved) {
   const double measure = pairs[3].measure, area = table_.extent(pairs[3].i).enclosure().upper;
   pairs[3].bounds = {0, area};
   pairs[3].measure = area;
-  narrow_by_rows(table_, pairs);
+  narrow(pairs);
   EXPECT_EQ(pairs[3].measure, pairs[3].bounds.upper);
   EXPECT_NEAR(pairs[3].measure, measure, 1e-6 * area);
 }
@@ -94,7 +99,7 @@ TEST_F(NarrowByRows, BoundsThatAreWrongAreNoticed) {
   std::vector<PairSum3> pairs = proven();
   const double off = 2 * width_of_row(pairs, pairs[3].i) + 1e-9 * table_.extent(pairs[3].i).value;
   pairs[3].bounds = {pairs[3].bounds.lower + off, pairs[3].bounds.upper + off};
-  EXPECT_THROW(narrow_by_rows(table_, pairs), ContractViolation);
+  EXPECT_THROW(narrow(pairs), ContractViolation);
 }
 
 // The matrix has narrowed bounds where proofs are asked for, and the factors that it has without them.

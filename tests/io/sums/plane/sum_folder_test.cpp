@@ -14,7 +14,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "tests/geometry/plane/exchange_scenes.h"
-#include "tests/geometry/plane/same_rows.h"
+#include "tests/geometry/same_rows.h"
 #include "tests/temporary_folder.h"
 
 namespace hottel::sum_folder_test {
