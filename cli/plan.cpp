@@ -11,6 +11,7 @@
 #include "cli/room_for_elements.h"
 #include "cli/scene_input.h"
 #include "cli/sky_option.h"
+#include "cli/sums_option.h"
 #include "cli/volume_files.h"
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "geometry/plane/prepared/element_table.h"
@@ -36,7 +37,7 @@ struct PlanOptions {
   ElementOptions elements;
   PolygonOptions polygons;
   SkyOption sky;
-  std::string out_of_core;
+  SumsOption sums;
   std::optional<std::uint64_t> memory;
   std::optional<int> nodes, cores;
   bool json = false;
@@ -58,7 +59,7 @@ template <class AnyScene>
 std::optional<PlannedMemory> memory_of(const PlanOptions& options, const AnyScene& scene, std::uint64_t cells) {
   MemoryQuestion question = solving_question(scene);
   question.cells = cells;
-  question.pairs_on_disk = !options.out_of_core.empty();
+  question.pairs_on_disk = options.sums.is_given();
   const bool is_asked = options.memory || question.pairs_on_disk || options.nodes;
   if (!is_asked && !is_divided(scene)) return std::nullopt;
   const MemoryLimits limits = memory_limits(options.memory.value_or(0));
@@ -93,11 +94,14 @@ PlannedLists lists_of(const Simulation2& simulation, const MemoryEstimate& memor
 
 PlannedOnDisk on_disk_of(const PlanOptions& options, const Scene2& scene, double pairs) {
   const auto memory = static_cast<double>(memory_limits(options.memory.value_or(0)).of_factors);
-  return {.folder = options.out_of_core,
+  const std::filesystem::path folder = options.sums.folder();
+  const bool stays = options.sums.request().stays;
+  return {.option = options.sums.name(),
+          .folder = folder.string(),
           .pairs = pairs,
           .memory_bytes = memory_beside_disk(scene, pairs, memory),
-          .disk_bytes = static_cast<double>(disk_for_radiosities_2(static_cast<std::uint64_t>(pairs), false)),
-          .free = free_space(std::filesystem::path(options.out_of_core) / "sums"),
+          .disk_bytes = static_cast<double>(disk_for_radiosities_2(static_cast<std::uint64_t>(pairs), stays)),
+          .free = free_space(folder / "sums"),
           .seconds = seconds_on_disk_2(pairs)};
 }
 
@@ -130,13 +134,13 @@ Planned plan_of(const PlanOptions& options, Scene2 scene) {
   if (options.nodes && result.effects)
     result.preparing =
         seconds_of_factors_2(static_cast<double>(simulation.prepared()->arrangement.vertices().size()), 0);
-  if (!options.out_of_core.empty() && result.effects)
+  if (options.sums.is_given() && result.effects)
     result.on_disk = on_disk_of(options, simulation.scene(), result.lists->pairs);
   return result;
 }
 
 Planned plan_of(const PlanOptions& options, Scene3 scene) {
-  if (!options.out_of_core.empty()) throw UsageError("--out-of-core is for scenes in the plane");
+  if (options.sums.is_given()) throw UsageError(std::string(options.sums.name()) + " is for scenes in the plane");
   options.elements.apply_to(scene);
   const std::uint64_t cells = cells_of(grids_of(scene, options.grid));
   Planned result{nullptr, memory_of(options, scene, cells), {}, {}, 0};
@@ -148,8 +152,9 @@ Planned plan_of(const PlanOptions& options, Scene3 scene) {
 
 void refuse_nodes(const PlanOptions& options) {
   if (options.cores && !options.nodes) throw UsageError("--cores are those of each node: say how many with --nodes");
-  if (options.nodes && !options.out_of_core.empty())
-    throw UsageError("--nodes tells nothing of --out-of-core: what stands in files is computed by one process");
+  if (options.nodes && options.sums.is_given())
+    throw UsageError("--nodes tells nothing of " + std::string(options.sums.name()) +
+                     ": what stands in files is computed by one process");
 }
 
 // Where nothing is said of the cores, they are those of this machine.
@@ -215,10 +220,9 @@ void add_plan(Commands& commands) {
       ->capture_default_str();
   command.add_option("--texels", options->texels, "in space, a face and its texels, as solve would be asked for them")
       ->type_name("NAME=NXxNY");
-  command
-      .add_option("--out-of-core", options->out_of_core,
-                  "in the plane: tell what memory, disk and time solve takes with view factors in files of this folder")
-      ->type_name("DIR");
+  options->sums.add_to(
+      command, "in the plane: tell what memory, disk and time solve takes with view factors in files of this folder",
+      "the same, where the files stay when a run is ended");
   command
       .add_option(
           "--memory", options->memory,

@@ -14,7 +14,7 @@ std::string on_disk_text(const PlannedOnDisk& planned) {
   };
   const std::string free =
       planned.free ? "; " + short_bytes(static_cast<double>(*planned.free)) + " are free there" : std::string();
-  return fmt::format("solve --out-of-core {}\n", planned.folder) +
+  return fmt::format("solve {} {}\n", planned.option, planned.folder) +
          line("memory", short_bytes(planned.memory_bytes), "at the most, the program and the scene included") +
          line("disk", short_bytes(planned.disk_bytes), fmt::format("for {:.2g} visible pairs{}", planned.pairs, free)) +
          line("computed", fmt::format("{:.2g} s", planned.seconds), "all that is asked for") +
@@ -28,6 +28,10 @@ nlohmann::ordered_json on_disk_object(const PlannedOnDisk& planned) {
   if (planned.free) json["disk_free"] = *planned.free;
   json["fits"] = planned.fits();
   return json;
+}
+
+const char* on_disk_key(const PlannedOnDisk& planned) {
+  return planned.option == "--checkpoint" ? "checkpoint" : "out_of_core";
 }
 
 }  // namespace hottel

@@ -8,8 +8,9 @@
 
 namespace hottel {
 
-// `hottel solve --out-of-core FOLDER`.
+// `hottel solve OPTION FOLDER`.
 struct PlannedOnDisk {
+  std::string option;  // --out-of-core, --checkpoint
   std::string folder;
   double pairs = 0;                   // that see each other, about
   double memory_bytes = 0;            // at the most, the program and the scene included
@@ -23,5 +24,7 @@ struct PlannedOnDisk {
 // A line each, under a heading.
 std::string on_disk_text(const PlannedOnDisk& planned);
 nlohmann::ordered_json on_disk_object(const PlannedOnDisk& planned);
+// What that is called in a report: out_of_core, checkpoint.
+const char* on_disk_key(const PlannedOnDisk& planned);
 
 }  // namespace hottel

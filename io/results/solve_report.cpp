@@ -75,7 +75,7 @@ std::string plan_json(const std::string& scene, const Plan* plan, const PlannedM
   nlohmann::ordered_json json = report_head(scene, plan);
   if (memory != nullptr) json["memory"] = memory_object(*memory);
   if (lists != nullptr) json["lists"] = lists_object(*lists);
-  if (on_disk != nullptr) json["out_of_core"] = on_disk_object(*on_disk);
+  if (on_disk != nullptr) json[on_disk_key(*on_disk)] = on_disk_object(*on_disk);
   return json.dump(2) + "\n";
 }
 

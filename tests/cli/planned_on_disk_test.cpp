@@ -1,4 +1,4 @@
-// What plan --out-of-core tells, held against what solve --out-of-core takes.
+// What plan --out-of-core and --checkpoint tell, held against what runs with these take.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -58,15 +58,24 @@ Taken taken_by(const std::vector<std::string>& words, const fs::path& folder) {
   return taken;
 }
 
-class PlannedOnDisk : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+struct OnDiskCase {
+  const char* generated;
+  const char* options = "";
+  const char* where = "out-of-core";
+};
+
+class PlannedOnDisk : public testing::TestWithParam<OnDiskCase> {};
 
 TEST_P(PlannedOnDisk, IsWhatARunTakesWithinAFactor) {
   const Workplace place;
-  const auto& [generated, options] = GetParam();
-  ASSERT_EQ(place.run("hottel generate " + std::string(generated) + " --seed 1 -o scene.json --quiet").code, 0);
+  const OnDiskCase& asked_for = GetParam();
+  const std::string options = asked_for.options, where = asked_for.where;
+  ASSERT_EQ(place.run("hottel generate " + std::string(asked_for.generated) + " --seed 1 -o scene.json --quiet").code,
+            0);
   fs::create_directory(place.path("d"));
-  const std::string asked = std::string(options) + " --memory 50000000 --out-of-core d";
-  const auto planned = nlohmann::json::parse(place.run("hottel plan scene.json --json " + asked).out)["out_of_core"];
+  const std::string asked = options + " --memory 50000000 --" + where + " d";
+  const auto planned = nlohmann::json::parse(
+      place.run("hottel plan scene.json --json " + asked).out)[where == "checkpoint" ? where : "out_of_core"];
   EXPECT_TRUE(planned["fits"].get<bool>());
   EXPECT_GT(planned["seconds_estimate"].get<double>(), 0);
   std::vector<std::string> words = {"hottel",
@@ -79,9 +88,9 @@ TEST_P(PlannedOnDisk, IsWhatARunTakesWithinAFactor) {
                                     place.path("out").string(),
                                     "--memory",
                                     "50000000",
-                                    "--out-of-core",
+                                    "--" + where,
                                     place.path("d").string()};
-  for (std::istringstream more{std::string(options)}; more >> words.emplace_back();) continue;
+  for (std::istringstream more{options}; more >> words.emplace_back();) continue;
   words.pop_back();
   const Taken taken = taken_by(words, place.path("d"));
   ASSERT_TRUE(taken.succeeded);
@@ -94,9 +103,9 @@ TEST_P(PlannedOnDisk, IsWhatARunTakesWithinAFactor) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, PlannedOnDisk,
-                         testing::Values(std::pair("clutter --n 20000", ""),
-                                         std::pair("clutter --n 2000 --view long", ""),
-                                         std::pair("clutter --n 2000", "--elements 6")));
+                         testing::Values(OnDiskCase{"clutter --n 20000"}, OnDiskCase{"clutter --n 2000 --view long"},
+                                         OnDiskCase{"clutter --n 2000", "--elements 6"},
+                                         OnDiskCase{"clutter --n 2000 --view long", "", "checkpoint"}));
 
 TEST(PlanOutOfCore, TellsOfADiskWithoutRoom) {
   const Workplace place;
