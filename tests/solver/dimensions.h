@@ -13,6 +13,7 @@
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "solver/plane/methods/method_catalogue.h"
+#include "solver/space/light/illumination_grid.h"
 #include "solver/space/methods/method_catalogue.h"
 #include "tests/solver/plane/edited_scenes.h"
 #include "tests/solver/space/edited_scenes.h"

@@ -9,6 +9,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "solver/space/check/scene_check.h"
+#include "solver/space/light/illumination_grid.h"
 #include "solver/space/simulation/queries.h"
 #include "solver/space/simulation/simulation.h"
 #include "tests/solver/traces.h"
