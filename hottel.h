@@ -1,5 +1,6 @@
-// The library hottel: exact view factors and light of scenes in the plane and in space. This header has scenes,
-// readers, simulations and what they are asked. Others beside it have the rest; docs/library.md is the way in.
+// The library hottel: exact view factors and light of scenes in the plane and in space. This header declares
+// scenes, their readers, simulations, and queries to simulations. Others next to it declare the rest; docs/library.md
+// is the way in.
 #pragma once
 
 #include "geometry/exchange_matrix.h"             // ExchangeMatrix

@@ -1,4 +1,4 @@
-// Files beside those of scenes: results, drawings, and what readers of meshes and maps are told.
+// Files other than those of scenes: results and drawings; and options and reports of what reads meshes and maps.
 #pragma once
 
 #include "geometry/space/scene/triangulator.h"  // Triangulator3

@@ -1,4 +1,5 @@
-// Threads: on how many the library works, and values that threads of their own make.
+// On how many threads the library works; and Stage, a value that is computed by a thread of its own when it is asked
+// for.
 #pragma once
 
 #include "kernel/support/parallel.h"  // ThreadLimit

@@ -29,8 +29,8 @@ namespace hottel {
 //       are kExact, the two real numbers that they round satisfy A_i F_ij = A_j F_ji
 //   (3) where an entry is kEnclosed, bounds() contain the real factor and the double
 //   (4) where an entry is kEstimated, bounds() contain the real factor; the double is an estimate without proof
-//   (5) only elements with a material and an area have a row; pairs that exchange nothing have no entry. That a pair
-//       without entry exchanges nothing is proven, unless all entries are estimated
+//   (5) only elements with a material and an area have a row; pairs that exchange nothing have no entry. Conversely,
+//       a pair without an entry provably exchanges nothing, unless all entries are estimated
 //   (6) where has_closed_rows(), the real factors of each row sum to 1, the sky included
 //   (7) rows are compressed: entry k of row i stands at begins()[i] + k of columns(), factors(), visibilities(), and of
 //       measures, bounds and guarantees if the matrix has these
@@ -38,7 +38,7 @@ namespace hottel {
 // entries are exact, 8 with measures, 16 with bounds, 1 if guarantees differ between entries.
 class ExchangeMatrix {
  public:
-  // At most, without measures, bounds and guarantees.
+  // The most bytes that one entry takes, not counting measures, bounds and guarantees.
   static constexpr std::size_t kBytesAnEntry = sizeof(std::uint32_t) + 2 * sizeof(double) + 1;
 
   // A matrix without elements: the sky alone.
@@ -54,7 +54,7 @@ class ExchangeMatrix {
   std::uint32_t size() const { return static_cast<std::uint32_t>(elements_.size()); }
   std::uint32_t sky() const { return size(); }
 
-  // Returns what is guaranteed of every entry: the weakest there is.
+  // Returns the guarantee that holds for every entry: the weakest of them all.
   Guarantee guarantee() const { return guarantee_; }
   // Returns what is guaranteed of the k-th entry of row i.
   Guarantee guarantee(std::uint32_t i, std::size_t k) const {
@@ -84,29 +84,33 @@ class ExchangeMatrix {
   std::span<const std::uint32_t> columns() const { return entries_.columns_; }
   std::span<const double> factors() const { return entries_.factors_; }
   std::span<const double> visibilities() const { return entries_.visibilities_; }
-  // Where the arrays are stored: null for the heap. What is as large as they are should be stored there too.
+  // Where the arrays are stored: null for the heap. A caller who makes arrays of this size
+  // should store them there too.
   const std::shared_ptr<const FolderMemory>& memory() const { return memory_; }
 
-  // S(from, to), correctly rounded, for each entry of the row; empty unless it was asked for.
+  // The direct exchange area S(from, to) = A_from F(from, to), correctly rounded, for each entry of the row. Empty
+  // unless measures were asked for.
   std::span<const double> measures(std::uint32_t i) const {
     return measures_.empty() ? std::span<const double>()
                              : std::span(measures_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
   }
 
-  // Returns proven bounds of the k-th entry of row i: one ulp at most where it is exact, those given where it is
-  // enclosed or estimated, nothing but [0, 1] where it is estimated and none were given.
+  // Returns proven bounds of the k-th entry of row i: at most one ulp apart if it is exact; those given to
+  // assign() if it is enclosed or estimated; [0, 1] if it is estimated and none were given.
   Enclosure bounds(std::uint32_t i, std::size_t k) const;
 
   // Returns F(from, to); 0 where there is no entry. COST: O(log n) for n entries of the row.
   Rounded factor(std::uint32_t from, std::uint32_t to) const;
-  // The same by name. Throws UnknownName where there is no such element, UsageError where the first one has no row.
+  // The same by name. Throws UnknownName where there is no such element, UsageError where `from` is the sky or has no
+  // row.
   Rounded factor(const std::string& from, const std::string& to) const;
   // Returns the index of the first element of that name; sky() for "sky"; nothing when there is none. COST: linear.
   std::optional<std::uint32_t> find(const std::string& name) const;
 
   // Fills the matrix: entries by rows, row i in [begin[i], begin[i + 1]). Measures, bounds and guarantees are lists
   // with one member for each entry, or empty. Without guarantees every entry has that of the constructor. Bounds are
-  // required for enclosed entries, and ignored for exact ones. Throws ContractViolation, naming the row,
+  // required for enclosed entries, and ignored for exact ones. Throws ContractViolation, which names the row where one
+  // is at fault,
   //
   //   where a row or column is not one of this matrix, or they do not ascend,
   //   where an exact factor is not positive,

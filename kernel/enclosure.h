@@ -7,8 +7,9 @@
 namespace hottel {
 
 // kExact:     the double is the correctly rounded value of the real number.
-// kEnclosed:  the real number lies in the printed interval, proven.
-// kEstimated: the interval is what is proven, however wide; the value alone is a guess with a stated estimate.
+// kEnclosed:  the given interval contains the real number and the double, proven.
+// kEstimated: the given interval, however wide, contains the real number, proven. The double is an estimate without
+//             proof.
 // Each is weaker than the one before it.
 enum class Guarantee : unsigned char { kExact, kEnclosed, kEstimated };
 
@@ -38,7 +39,7 @@ struct Enclosure {
   friend bool operator==(const Enclosure&, const Enclosure&) = default;
 };
 
-// Returns what contains the sum of two numbers that are not negative.
+// Returns an interval that contains the sum of two numbers that are not negative, given an interval of each.
 //
 //   (1) the ends are not below 0; to add zero ({0, 0}) changes nothing
 inline Enclosure sum_of_nonnegative(const Enclosure& a, const Enclosure& b) {

@@ -20,8 +20,8 @@ inline constexpr const char* kRadiosityUnit = "W/m²";
 struct ElementRadiosity {
   double emission = 0, reflectivity = 0;  // correctly rounded; of an enclosed emission its middle
   double radiosity = 0;
-  double lower = 0, upper = 0;  // proven bounds of the radiosity; RadiositySolution::guarantee says of which system
-  double irradiance = 0;        // sum_j F_ij B_j of these radiosities, and D_i; where there is no reflection too
+  double lower = 0, upper = 0;          // proven bounds; RadiositySolution::guarantee says of which equations
+  double irradiance = 0;                // sum_j F_ij B_j + D_i, what arrives directly (RadiositySources)
   double net_lower = 0, net_upper = 0;  // proven bounds of radiosity - irradiance, of that system
   double net_value = 0;                 // within them; does not lose digits as the difference of two doubles does
 
@@ -35,7 +35,8 @@ struct EnergyBalance {
   double emitted = 0, absorbed = 0, to_sky = 0, defect = 0;
 };
 
-// Faces that exchange light with each other and that no light reaches: exactly 0, not solved. `size` counts them.
+// Elements that exchange light with each other and that no light reaches, `size` of them. Their radiosities are exactly
+// 0, and were not solved for.
 struct DarkComponent {
   std::uint32_t first_element = 0, size = 0;
 };
@@ -46,7 +47,7 @@ struct ChannelSolution {
   std::vector<double> residual_history;    // max |residual| / largest source of its component, the start first
   std::vector<DarkComponent> dark;
   EnergyBalance energy;
-  double max_relative_width = 0;  // of the bounds, over elements with radiosity > 0
+  double max_relative_width = 0;  // the most (upper - lower) / |radiosity|, of radiosities that are not 0
 };
 
 // Radiosities in all channels, and how they were found.

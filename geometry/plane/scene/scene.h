@@ -18,8 +18,8 @@ struct Edge2 {
   friend bool operator==(const Edge2&, const Edge2&) = default;
 };
 
-// A way through points at constant speed, once in so many seconds; a closed one leads back to its first point, and is
-// walked over and over.
+// A path along which a light moves from point to point at constant speed; to its end it takes `seconds`. A closed path
+// leads back to its first point, and begins anew.
 struct LightPath2 {
   std::vector<Point2> points;  // two at least, not all the same
   Rational seconds = 1;        // above 0
@@ -27,11 +27,11 @@ struct LightPath2 {
   friend bool operator==(const LightPath2&, const LightPath2&) = default;
 };
 
-// One light of a scene: what Light leaves open.
+// Where a light of a scene is, where it points, and how it moves. Light has its other properties.
 struct LightPlace2 {
   Point2 position;         // of no meaning for a sun
   Point2 direction{1, 0};  // of a spot: along the axis of its beam; of a sun: of its rays; of any length, not zero
-  Rational turned = 0;     // how far the axis is turned from there, in degrees, counter-clockwise
+  Rational turned = 0;     // the angle from direction to the axis, in degrees, counter-clockwise
   Rational rotation = 0;   // of the axis, in degrees a second, counter-clockwise
   std::optional<LightPath2> path = {};  // what the position follows when time passes
   friend bool operator==(const LightPlace2&, const LightPlace2&) = default;
@@ -40,8 +40,8 @@ struct LightPlace2 {
 // The most cells of a grid along one axis.
 inline constexpr std::uint32_t kMaxGridCells = 16384;
 
-// A grid of nx times ny equal cells over the region from min to max, in scene coordinates: where light is asked for. Of
-// several grids each has a name, which is part of the names of its files.
+// A grid of nx times ny equal cells over the region from min to max, in scene coordinates: where light is asked for.
+// Where there are several grids each has a name. The names of files with its results contain it.
 struct Grid2 {
   Point2 min, max;
   std::uint32_t nx = 0, ny = 0;
@@ -57,11 +57,12 @@ std::string grid_problem(const Grid2& grid);
 
 // The scene, in the order of the file: edges, then the pieces of polylines.
 //
-//   (1) edges[s] is where surfaces[s] of the table lies: as many of one as of the other
+//   (1) edges[s] is the geometry of surfaces[s]; both lists are equally long
 //   (2) from != to for every edge; coordinates are in lowest terms
 //   (3) the table is valid (SceneTable)
-//   (4) light_places[k] is where lights[k] of the table is; no light lies on an edge, and directions are not zero
-//   (5) patches lie on their bases exactly, look as these do there, and leave them nowhere (validate_patches)
+//   (4) light_places[k] is the place of lights[k]; no light lies on an edge, and directions are not zero
+//   (5) a patch lies exactly on its base, the surface that it covers a part of, faces the same way, and stays within it
+//       (validate_patches)
 struct Scene2 : SceneTable {
   std::vector<Edge2> edges;
   std::vector<LightPlace2> light_places;
@@ -82,13 +83,13 @@ struct Scene2 : SceneTable {
   void keep(const std::vector<std::uint32_t>& which);
 };
 
-// Throws InputError naming file, line and surface or light unless (2) to (5) hold and the grids are some
-// (validate_grids), ContractViolation unless (1) does, there are as many places as lights and trees are whole. COST:
-// linear, for each light.
+// Throws InputError naming file, line and surface or light unless (2) to (5) hold and the grids are valid
+// (validate_grids). Throws ContractViolation unless (1) holds, each light has one place, and the trees of elements are
+// whole (are_whole). COST: linear, for each light.
 void validate(const Scene2& scene);
 
-// A scene that is known to be valid: validation alone makes one, and what can be changed of it leaves it so. A Scene2
-// becomes one where it is asked for. It becomes a Scene2 again, which may be changed at will, where that is asked for.
+// A scene that is known to be valid. Only validation makes one, and the functions that change one keep it valid. A
+// Scene2 converts to it, which validates the scene. It converts back to a Scene2, which may be changed freely.
 //
 //   (1) validate() holds for it
 class ValidScene2 {

@@ -25,7 +25,7 @@ struct TypedPoint2 {
   TypedPoint2(const Point2& point) : x(point.x), y(point.y) {}
 };
 
-// A spectrum as one writes it: one number for all channels, or {r, g, b}. Nothing written: 0.
+// A spectrum as one writes it: one number for all channels, or {r, g, b}. Without numbers it is 0.
 struct TypedSpectrum {
   std::vector<Number> numbers;  // none, one or three
 
@@ -35,16 +35,16 @@ struct TypedSpectrum {
   TypedSpectrum(const Number& r, const Number& g, const Number& b) : numbers{r, g, b} {}
 };
 
-// What a material is made of: reflectivity and emission, or emissivity and temperature [K], as in a scene file.
+// The properties of a material, as in a scene file: reflectivity and emission, or emissivity and temperature [K].
 struct MaterialOptions {
   TypedSpectrum reflectivity = {}, emission = {};
   TypedSpectrum emissivity = {}, temperature = {};
-  bool insulated = false;   // reflectivity 1 and emission 0; excludes all others
+  bool insulated = false;   // reflectivity 1 and emission 0; excludes all other spectra
   TypedSpectrum flux = {};  // the net flux [W/m²], one number of any sign, with one emissivity above 0
   bool two_sided = false;   // its edges have it on their backs too, unless they have one of their own or are patches
 };
 
-// What edges and polylines may have beside points and a material, as in a scene file.
+// Options of edges and polylines besides their points and their material, as in a scene file.
 struct EdgeOptions2 {
   std::string back = {};  // the material of the back; empty: opaque and black
   std::uint32_t elements = 1;
@@ -59,7 +59,7 @@ struct PolylineOptions2 {
   std::string on = {};
 };
 
-// Makes a scene step by step. It refuses at once what is said twice, or cannot be.
+// Makes a scene step by step. Each call refuses at once what contradicts an earlier call, or is not allowed.
 //
 //   (1) build() gives the scene that a file of the same entries gives, but all line numbers are 0: edges first, then
 //       polylines, each in the order in which they were added; materials and groups in that order too
@@ -73,7 +73,7 @@ struct PolylineOptions2 {
 // docs/scene_format.md does not allow; build() for names that are not unique.
 class SceneBuilder2 {
  public:
-  // title: messages call the scene so.
+  // title: what messages call the scene.
   explicit SceneBuilder2(std::string title = "scene made in code");
 
   // A material comes before the edges that have it.
@@ -86,7 +86,7 @@ class SceneBuilder2 {
   SceneBuilder2& set_sky(const TypedSpectrum& emission);
   // The same by its temperature [K]: it sends out sigma T⁴.
   SceneBuilder2& set_sky_temperature(const TypedSpectrum& temperature);
-  // The grid on which light is computed, in place of all that there are.
+  // The only grid on which light is computed. It replaces all grids that were set or added before.
   SceneBuilder2& set_grid(const TypedPoint2& min, const TypedPoint2& max, std::uint32_t nx, std::uint32_t ny);
   // One more grid, with a name that no other has.
   SceneBuilder2& add_grid(const std::string& name, const TypedPoint2& min, const TypedPoint2& max, std::uint32_t nx,

@@ -16,8 +16,8 @@ namespace hottel {
 // The most pixels of a picture along one side.
 inline constexpr std::uint32_t kMaxPixels = 16384;
 
-// Where a picture of the scene is taken from: the eye looks at the target, and `up` points to the upper border. What
-// is seen from the lower to the upper border is an angle of field_of_view degrees.
+// Where a picture of the scene is taken from: the eye looks at the target, and `up` points to the upper border.
+// field_of_view is the angle from the lower to the upper border, in degrees.
 struct Camera3 {
   Point3 eye, target;
   Vector3 up{0, 0, 1};
@@ -30,15 +30,15 @@ struct Camera3 {
 // is: `up` is not parallel to the direction of view, 0 < field_of_view < 180, and pixels from 1 to kMaxPixels.
 std::string camera_problem(const Camera3& camera);
 
-// A surface whose front lies on the front of another one, its base, at no distance. Where it lies these two see each
-// other, all of them, and nothing else. Its back is as any other.
+// A surface whose front lies on the front of another one, its base, at no distance. Where they
+// coincide, mask and base see each other completely, and nothing else. The back of a mask is an ordinary back.
 struct Mask3 {
   std::uint32_t surface = 0, base = 0;  // indices into SceneTable::surfaces
   friend bool operator==(const Mask3&, const Mask3&) = default;
 };
 
-// A way through points at constant speed, once in so many seconds; a closed one leads back to its first point, and is
-// walked over and over.
+// A path along which a light moves from point to point at constant speed; to its end it takes `seconds`. A closed path
+// leads back to its first point, and begins anew.
 struct LightPath3 {
   std::vector<Point3> points;  // two at least, not all the same
   Rational seconds = 1;        // above 0
@@ -46,11 +46,11 @@ struct LightPath3 {
   friend bool operator==(const LightPath3&, const LightPath3&) = default;
 };
 
-// One light of a scene: what Light leaves open.
+// Where a light of a scene is, where it points, and how it moves. Light has its other properties.
 struct LightPlace3 {
   Point3 position;              // of no meaning for a sun
   Vector3 direction{0, 0, -1};  // of a spot: along the axis of its beam; of a sun: of its rays; of any length, not zero
-  Vector3 rotation;             // of the axis: Rz Ry Rx, each angle in degrees a second
+  Vector3 rotation;             // of the axis, about x, y and z, in degrees a second: first about x, last about z
   std::optional<LightPath3> path = {};  // what the position follows when time passes
   friend bool operator==(const LightPlace3&, const LightPlace3&) = default;
 };
@@ -59,8 +59,8 @@ struct LightPlace3 {
 inline constexpr std::uint32_t kMaxGridCells3 = 16384;
 
 // Where light is asked for: nu times nv equal cells of the parallelogram from `origin` along u and along v; with w a
-// volume, nu times nv times nw cells of the parallelepiped. Of several grids each has a name, which is part of the
-// names of its files.
+// volume, nu times nv times nw cells of the parallelepiped. Where there are several grids each has a name. The
+// names of files with its results contain it.
 struct Grid3 {
   Point3 origin;
   Vector3 u, v;
@@ -78,21 +78,21 @@ struct Grid3 {
 // nothing is: u and v span a plane, w leaves it, and there are 1 to kMaxGridCells3 cells along each.
 std::string grid_problem(const Grid3& grid);
 
-// Returns the place s along u, t along v and, of a volume, r along w: the origin at 0, 0, 0.
+// Returns origin + s u + t v, and + r w in a volume.
 Point3 place_in(const Grid3& grid, const Rational& s, const Rational& t, const Rational& r = 0);
 
 // The scene, in the order of the file: polygons, then the faces of meshes.
 //
-//   (1) polygons[s] is where surfaces[s] of the table lies: as many of one as of the other
-//   (2) every polygon is one (polygon_problem): exactly plane, or nearly so, of positive area
+//   (1) polygons[s] is the geometry of surfaces[s]; both lists are equally long
+//   (2) every polygon is valid (polygon_problem): plane, exactly or as nearly as that function asks, of positive area
 //   (3) the table is valid (SceneTable), and neither camera nor grids have a problem
-//   (4) masks ascend by surface; a mask and its base have materials, and lie in one plane, facing each other; a base is
-//       no mask, and neither is a patch. That masks lie within their bases, and beside each other, is required by
-//       Arrangement3
-//   (5) light_places[k] is where lights[k] of the table is; no light lies on a polygon, and directions are not zero
-//   (6) patches lie on their bases exactly, look as these do there, and leave them nowhere (validate_patches)
+//   (4) masks ascend by surface; a mask and its base have materials, and lie in one plane, facing each other; no base
+//       and no patch is a mask. Arrangement3 requires besides that masks lie within their bases and do not overlap
+//   (5) light_places[k] is the place of lights[k]; no light lies on a polygon, and directions are not zero
+//   (6) a patch lies exactly on its base, the surface that it covers a part of, faces the same way, and stays within it
+//       (validate_patches)
 //
-// Polygons may touch, overlap and pierce each other anyhow: what that means is told by Arrangement3.
+// Polygons may touch, overlap and pierce each other in any way. Arrangement3 says what that means.
 struct Scene3 : SceneTable {
   std::vector<Polygon3> polygons;
   std::vector<Mask3> masks;
@@ -112,12 +112,13 @@ struct Scene3 : SceneTable {
   }
 };
 
-// Throws InputError naming file, line and surface or light unless (2) to (6) hold; ContractViolation unless (1) does
-// and there are as many places as lights. COST: that of polygon_problem, and linear for each light.
+// Throws InputError unless (2) to (6) hold: it names the file, and line, surface or light where one is at fault. Throws
+// ContractViolation unless (1) holds and each light has one place. COST: that of polygon_problem, and linear for each
+// light.
 void validate(const Scene3& scene);
 
-// A scene that is known to be valid: validation alone makes one, and what can be changed of it leaves it so. A Scene3
-// becomes one where it is asked for. It becomes a Scene3 again, which may be changed at will, where that is asked for.
+// A scene that is known to be valid. Only validation makes one, and the functions that change one keep it valid. A
+// Scene3 converts to it, which validates the scene. It converts back to a Scene3, which may be changed freely.
 //
 //   (1) validate() holds for it
 class ValidScene3 {

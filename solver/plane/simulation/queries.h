@@ -29,7 +29,8 @@ struct VisibilityPolygon2;
 // Returns F(from, to), as ExchangeMatrix::factor; `to` may be "sky".
 Rounded view_factor(const Simulation2& simulation, const std::string& from, const std::string& to);
 
-// Returns the same pair in closed form, with S0 and the areas; exact whatever the method of the simulation. Throws
+// Returns the direct exchange area S of a pair in closed form, with S0, what it would be with nothing between, and both
+// areas. It is exact whatever the method of the simulation. Throws
 // UsageError where `from` is the sky.
 ExactPair2 exact_pair(const Simulation2& simulation, const std::string& from, const std::string& to);
 
@@ -37,10 +38,11 @@ ExactPair2 exact_pair(const Simulation2& simulation, const std::string& from, co
 // UsageError if the element has no row. REQUIRES a channel of the solution.
 ElementRadiosity radiosity_of(const Simulation2& simulation, const std::string& element, std::size_t channel = 0);
 
-// The mean irradiance at a point once light has been reflected until it is absorbed.       [unit: that of radiosity]
+// The mean irradiance at a point, with all reflections: the mean of the radiosities seen there over all directions.
+// [unit: that of radiosity]
 struct PointLight2 {
   std::vector<std::string> channel_names;
-  std::vector<double> mean_irradiance;  // by channel; NaN in a solid
+  std::vector<double> mean_irradiance;  // by channel; NaN inside a solid
   std::string why_none;                 // why there is no solution, or none in doubles; else empty
 };
 

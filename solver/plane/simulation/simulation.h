@@ -57,21 +57,21 @@ class LightPainter2 {
 //   (1) two requests are equal if all their members are; methods and painters are equal if they are the same object
 struct SimulationRequest2 {
   std::shared_ptr<const ExchangeMethod<PreparedScene2>> method = {};  // null: the exact one
-  std::optional<Granularity> granularity = {};            // nothing: elements where a surface is divided, else faces
+  std::optional<Granularity> granularity = {};            // nothing: elements if any surface is divided, else faces
   bool wants_visibility = false, wants_measures = false;  // beside the factors
   RowChoice rows = {};                                    // as ExchangeRequest takes them
-  bool everything = false;                                // every effect, though the scene calls for less of them
+  bool everything = false;                                // every effect (Plan), also those the scene does not need
   Solver solver = Solver::kAuto;
   std::optional<int> iterations = {};  // of solvers that iterate, as in RadiosityOptions
   std::optional<double> until = {};
   std::optional<Grid2> grid = {};  // nothing: default_grid(scene); the plan then counts all grids of the scene
-  bool wants_light = true;         // whether the plan counts it; light is made when it is asked for
+  bool wants_light = true;         // whether plan() counts light; light() computes it anyway
   LightKind2 light = LightKind2::kPoint;
   LightTest lights = LightTest::kExact;  // how elements are lit by the scene's lights; light in the rooms stays exact
   bool keeps_rows = false;  // what the cells see is kept: light after an edit of materials needs no further look
   std::shared_ptr<const LightPainter2> painter = {};  // null: no picture can be asked for
   std::uint64_t memory = 0;                           // bytes, as memory_allowed() takes it
-  // The store that kept factors are read from and computed ones are written to. Nothing that is computed depends on it.
+  // Factors that it has are read from it, others are written to it once they are computed. No result depends on it.
   std::shared_ptr<FactorStore> store = {};
 
   friend bool operator==(const SimulationRequest2&, const SimulationRequest2&) = default;
@@ -83,7 +83,8 @@ struct SimulationRequest2 {
 //   arrangement <- lights <- radiosities
 //   arrangement <- rows <- light, where rows are kept
 //
-// The estimate of dividing is computed from the radiosities; plan, lost_light and check are beside the stages.
+// dividing(), the estimate of what dividing the elements once more would change, is computed from the radiosities.
+// plan, lost_light and check are apart from this chain.
 // prepared() is the arrangement with the scene of this version; light_shares() is the stage `lights`.
 //
 // A version never changes. An edit makes a new one, which shares every stage whose input is the same. So undoing means
@@ -101,17 +102,17 @@ struct SimulationRequest2 {
 //         picture       painter
 //         dividing      only what changes the radiosities
 //         plan, lost_light, check    anything in the scene, and what they use: the grid, factors
-//   (2) every value is a function of scene and request: bit for bit that of a new simulation of the same scene, also
-//       after it was written and read again, whatever was edited, asked or cancelled before, on any number of threads.
-//       (but `seconds` in reports are measured)
+//   (2) every value but the measured `seconds` of reports is a function of scene and request: bit for bit that of a new
+//       simulation of the same scene, whatever was edited, asked or cancelled before, on any number of threads, and
+//       also after the scene was written and read again
 //   (3) any number of threads may ask one version at once; stages are made, waited for, cancelled and failed as
 //       kernel/support/stage.h says. What a stage throws is thrown again until an edit drops it
 //   (4) factors and what cells see each keep to the memory that is allowed (ExchangeRequest::memory, LightRows2)
 //
-// RequestErrors name the scene's file. Stages throw what their functions throw: InputError where claims conflict or a
-// "behind" cannot be obeyed (prepare); RequestError where the memory does not suffice, where a method cannot be run,
-// where the promise `closed` is broken (judged by exact factors, whatever the method), where a factor is negative,
-// where there is no solution, or none in doubles.
+// RequestErrors name the scene's file. Stages throw what their functions throw: InputError where surfaces that overlap
+// give one place different materials, or a "behind" cannot be obeyed (prepare); RequestError where the memory does not
+// suffice, where a method cannot be run, where the promise `closed` is broken (judged by exact factors, whatever the
+// method), where a factor is negative, where there is no solution, or none in doubles.
 class Simulation2 {
  public:
   // A Scene2 is validated: throws InputError naming file, line and surface unless it is valid (validate). Throws
@@ -128,14 +129,14 @@ class Simulation2 {
   const Scene2& scene() const;
   const SimulationRequest2& request() const;
   const Grid2& grid() const;        // where light is asked for: the request's, else default_grid(scene())
-  Granularity granularity() const;  // what has a row each
+  Granularity granularity() const;  // whether faces or elements have rows
 
   // The stages. progress: as Stage::get() takes it; it is told of "view factors", "radiosity", "illumination", and of
   // others as they run.
   std::shared_ptr<const Plan> plan(const StageProgress& progress = {}) const;
   std::shared_ptr<const PreparedScene2> prepared(const StageProgress& progress = {}) const;  // with this scene
   std::shared_ptr<const ComputedFactors2> factors(const StageProgress& progress = {}) const;
-  // Throws RequestError where the scene promises to be closed and is not. Factors themselves do not ask.
+  // Throws RequestError where the scene promises to be closed and is not. factors() does not.
   void require_closed(const StageProgress& progress = {}) const;
   std::shared_ptr<const RadiositySolver> system(const StageProgress& progress = {}) const;
   std::shared_ptr<const std::vector<LightShares>> light_shares(const StageProgress& progress = {}) const;

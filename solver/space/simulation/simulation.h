@@ -35,19 +35,20 @@ struct PreparedScene3;
 
 // Which view factors are asked for, with the defaults.
 struct FactorsRequest3 {
-  // The method; null means "exact". Only the exact method has visibilities, measures, limits and hidden pairs.
+  // The method; null means "exact". Only the exact method has visibilities, measures, a limit of memory and
+  // hidden pairs.
   std::shared_ptr<const ExchangeMethod<PreparedScene3>> method = nullptr;
   Granularity granularity = Granularity::kFace;
   bool wants_visibility = false, wants_measures = false;  // beside the factors
   double tolerance = 1e-9;                                // as ExchangeRequest takes it
   SkyBy sky = SkyBy::kIntegral;                           // how factors of the sky are computed
-  bool must_be_enclosed = false;                          // a pair without an enclosure within the tolerance is refused
+  bool must_be_enclosed = false;                          // each pair within the tolerance; else RequestError
   RowChoice rows = {};                                    // as ExchangeRequest takes them
   std::uint64_t memory = 0;                               // bytes, as memory_allowed() takes it
-  // Says which rows are measured first, and is called as they come, on the thread that measures; only by the exact
-  // method. It changes no result, so requests that differ in it alone are equal.
+  // Chooses which rows are computed first, and is called as they are done, on the thread that computes them. Only the
+  // exact method uses it. It changes no result, so requests that differ in it alone are equal.
   std::shared_ptr<RowWatch3> watch = nullptr;
-  // The store that kept factors are read from and computed ones are written to. Nothing that is computed depends on it.
+  // Factors that it has are read from it, others are written to it once they are computed. No result depends on it.
   std::shared_ptr<FactorStore> store = nullptr;
 
   friend bool operator==(const FactorsRequest3& a, const FactorsRequest3& b) {
@@ -99,14 +100,18 @@ struct SimulationRequest3 {
   friend bool operator==(const SimulationRequest3&, const SimulationRequest3&) = default;
 };
 
-// True iff the same pairs of materials act alike in both lists. Then overlapping surfaces own the same places as
-// before, and the arrangement can be shared. REQUIRES equally many materials in both.
+// True iff every two materials that acted alike before do now, and no others: materials act alike if they are equal but
+// for their names. Then surfaces that overlap own the same places as before, and the arrangement can be shared.
+// REQUIRES equally many materials in both.
 bool are_alike_as_before_3(const std::vector<Material>& before, const std::vector<Material>& now);
 
 // One version of a scene and of a request, with all results, in stages ("a <- b": b is computed from a):
 //
-//   prepared <- factors <- system <- radiosities <- light <- picture;   plan, hidden pairs after the factors, and the
-//   estimate of dividing after the radiosities, beside them
+//   prepared <- factors <- system <- radiosities <- light <- picture
+//   prepared <- lights <- radiosities
+//
+// Hidden pairs are computed from the factors, dividing(), the estimate of what dividing the elements once more would
+// change, from the radiosities. plan is apart from this chain.
 //
 // A version never changes. The first call for a stage computes it, and the stages that it needs; every call returns it
 // as a shared value that may outlive the version.
@@ -119,10 +124,11 @@ bool are_alike_as_before_3(const std::vector<Material>& before, const std::vecto
 //       radiosities, light and picture if the two requests agree on it and on all that it is computed from. Hidden
 //       pairs go with the factors, the estimate of dividing with the radiosities
 //   (4) a version with other materials shares the factors if the same pairs of materials act alike
-//       (are_alike_as_before_3), and the system too if no reflectivity changed; else it is arranged anew, and takes a
-//       copy of the factors
-//   (5) a version with a scene of the same shape shares the arrangement, however surfaces are divided. It shares the
-//       factors too if they are divided alike, and the light of lamps if those stand and shine alike
+//       (are_alike_as_before_3), and the system too if no reflectivity changed. Else the scene is arranged anew: either
+//       that is refused (InputError), or all lies as before, and the factors are copied
+//   (5) a version with a scene of the same shape, whose materials act alike as before, shares the arrangement, however
+//       surfaces are divided. It shares the factors too if surfaces are divided alike, and then the light of lamps if
+//       these are at the same places and shine alike
 //
 // Light and picture are computed from the solution, on the grid; they are computed again whenever the solution is.
 // RequestErrors name the scene's file. They are thrown if memory does not suffice, a pair cannot be measured or has no
@@ -131,10 +137,10 @@ class Simulation3 {
  public:
   // A Scene3 is validated: throws InputError naming file, line and surface unless it is valid (validate). Throws
   // UsageError where the request's grid is not valid (grid_problem), or averages are asked for in a volume;
-  // with_request() throws it alike.
+  // with_request() throws the same.
   explicit Simulation3(ValidScene3 scene, SimulationRequest3 request = {});
   Simulation3 with_request(const SimulationRequest3& request) const;
-  // The scene with these materials in place of its own, of the same names. Throws InputError as the constructor,
+  // The same scene with these materials, one in place of each of its own. Throws InputError as the constructor does,
   // ContractViolation unless there are as many.
   Simulation3 with_materials(std::vector<Material> materials) const;
   // The version of another scene. Throws as the constructor.
