@@ -7,9 +7,14 @@
 #include <vector>
 
 #include "geometry/shared_work.h"
-#include "solver/radiosity/radiosity_system.h"
+#include "solver/radiosity/double_double_ball.h"
+#include "solver/radiosity/scaled_ball.h"
 
 namespace hottel {
+
+class RadiositySystem;
+struct ResidualQuestion;
+enum class FactorsMeant;
 
 // Systems of fewer entries than this are not worth sharing: rows are formed sooner than messages come and go.
 inline constexpr std::size_t kLeastSharedEntries = 200'000;
