@@ -35,7 +35,7 @@ TEST(RowsInSpace, AreTheSameBytesHoweverTheyAreWritten) {
 TEST(RowsInSpace, TellHowMuchWasOnDisk) {
   const Workplace place;
   const Outcome outcome = place.run("hottel factors " + kScenes + "cube.json -o f.csv --out-of-core d");
-  EXPECT_THAT(outcome.err, testing::HasSubstr("bytes of sums were in d\n"));
+  EXPECT_THAT(outcome.err, testing::HasSubstr("kB of sums were in d\n"));
   EXPECT_EQ(place.files(), std::vector<std::string>{"f.csv"});
 }
 
