@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "parallel/led_shares.h"
-
 namespace hottel {
 namespace {
 

@@ -15,7 +15,6 @@
 #include "parallel/channel.h"
 #include "parallel/helper.h"
 #include "parallel/leader.h"
-#include "parallel/led_shares.h"
 #include "parallel/message.h"
 #include "parallel/row_crew.h"
 #include "solver/radiosity/radiosity.h"
