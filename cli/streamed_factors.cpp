@@ -85,6 +85,16 @@ bool needs_rows_alone(const FactorsOptions& options) {
          !(options.json && options.out.empty());
 }
 
+FactorTable table_of_rows(const FactorsOptions& options, const SceneTable& scene, RowRanges& rows,
+                          const Streams& streams) {
+  FactorTable table{scene, rows.matrix(), options.per()};
+  table.has_areas = options.areas;
+  table.digits = options.digits;
+  table.ranges = &rows;
+  take_rows(options, streams, table);
+  return table;
+}
+
 bool streams_rows(const FactorsOptions& options, const Simulation2& simulation, const Streams& streams) {
   if (options.sums.is_given()) return true;
   if (!needs_rows_alone(options)) return false;
@@ -99,11 +109,7 @@ void write_streamed_factors(FactorsOptions& options, const Simulation2& simulati
     streamed.reset();
     streamed = streamed_rows(options, simulation, streams);
   }
-  FactorTable table{streamed->prepared->scene, streamed->rows->matrix(), options.per()};
-  table.has_areas = options.areas;
-  table.digits = options.digits;
-  table.ranges = streamed->rows.get();
-  take_rows(options, streams, table);
+  const FactorTable table = table_of_rows(options, streamed->prepared->scene, *streamed->rows, streams);
   with_file_context(options.scene, [&] {
     write_table(options, table, origin, files, [&](const Sink& sink) {
       write_faces_csv(table, element_pieces(*streamed->prepared, table.granularity), sink);

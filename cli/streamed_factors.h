@@ -2,12 +2,18 @@
 #pragma once
 
 #include "cli/factors_options.h"
+#include "geometry/row_ranges.h"
 #include "solver/plane/simulation/simulation.h"
 
 namespace hottel {
 
 // Whether no more is asked for than rows of the list: nothing that needs the whole matrix.
 bool needs_rows_alone(const FactorsOptions& options);
+
+// Returns the list that is asked for, of rows that come range by range, and tells which rows were asked for. REQUIRES
+// that scene and rows outlive it.
+FactorTable table_of_rows(const FactorsOptions& options, const SceneTable& scene, RowRanges& rows,
+                          const Streams& streams);
 
 // Throws RequestError where the elements do not fit into the memory that is allowed, or the pairs, unless they stay on
 // disk. COST: that of counting.

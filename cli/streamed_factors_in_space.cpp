@@ -88,11 +88,7 @@ void write_streamed_factors_in_space(FactorsOptions& options, const Simulation3&
     streamed = rows_in_space(options, simulation, streams);
   }
   const Scene3& scene = streamed->prepared->scene;
-  FactorTable table{scene, streamed->rows->matrix(), options.per()};
-  table.has_areas = options.areas;
-  table.digits = options.digits;
-  table.ranges = streamed->rows.get();
-  take_rows(options, streams, table);
+  FactorTable table = table_of_rows(options, scene, *streamed->rows, streams);
   obey_deck(options, streams, table, scene.polygons);
   with_file_context(options.scene, [&] {
     write_table(options, table, origin, files, [&](const Sink& sink) {

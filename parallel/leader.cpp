@@ -35,9 +35,9 @@ std::vector<int> Leader::waiting_helpers() {
   const auto until = std::chrono::steady_clock::now() + kPatience;
   const auto is_missing = [](char is_waiting) { return is_waiting == 0; };
   for (Nap nap; std::any_of(is_waiting_.begin() + 1, is_waiting_.end(), is_missing);) {
+    // What a helper found of a job that was given up is of no use.
     if (const auto message = channel_.receive())
-      is_waiting_[static_cast<std::size_t>(message->rank)] =
-          1;  // what it found of a job that was given up is of no use
+      is_waiting_[static_cast<std::size_t>(message->rank)] = 1;
     else if (std::chrono::steady_clock::now() < until)
       nap.take();
     else

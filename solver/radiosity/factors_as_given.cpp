@@ -53,11 +53,11 @@ std::vector<std::vector<int>> groups_of_channels(const ExchangeMatrix& matrix,
 // Refuses what has no solution, and notes what is a limit.
 void require_solution(const RadiositySystem& system, const std::vector<char>& is_lit, bool has_given_fluxes,
                       std::set<std::string>& notes) {
+  // Where the real factors of a row sum to 1, what estimates lack of it is an error and no way out.
+  if (!system.rows_are_closed() && !system.matrix().has_closed_rows()) return;
   for (std::size_t c = 0; c < is_lit.size(); ++c) {
     const SystemComponent& component = system.components()[c];
-    // Where the real factors of a row sum to 1, what estimates lack of it is an error and no way out.
-    const bool is_closed = system.rows_are_closed() || system.matrix().has_closed_rows();
-    if (!is_closed || component.loses) continue;
+    if (component.loses) continue;
     const std::string& name = system.matrix().elements()[component.first_element].name;
     if (is_lit[c] && has_given_fluxes)
       throw RequestError(
