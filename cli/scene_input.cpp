@@ -61,7 +61,7 @@ void note_unused(const DeckOutput3& output, const Streams& streams) {
 
 namespace {
 
-// The same without what is told of how it was read.
+// The same, but prints nothing of how it was read.
 ValidScene read_any(const std::string& file, Triangulator3* triangulator, PassedOver& passed_over, MapSide2 side) {
   return file == kStandardInput
              ? parse_any_scene(read_standard_input(), kStandardInputName, triangulator, &passed_over, side)

@@ -27,7 +27,7 @@ class RowChoice {
   // Throws UnknownName where no surface matches. COST: linear in the surfaces.
   static RowChoice of(const SceneTable& scene, const std::string& word, Granularity granularity);
 
-  // The fronts of some surfaces. REQUIRES that there are some, and that they ascend.
+  // The fronts of these surfaces. REQUIRES an ascending list that is not empty.
   static RowChoice fronts_of(std::vector<std::uint32_t> surfaces);
 
   bool is_all() const { return sides_ == Sides::kBoth && surfaces_.empty(); }

@@ -31,7 +31,7 @@ std::vector<Element> take_elements(MessageReader& reader) {
   return elements;
 }
 
-// Entries of some rows. Bounds are told where residuals may be asked for of all factors within them.
+// Entries of some rows. Bounds are sent where the leader may ask for residuals of all factors within them.
 void put_entries(const RadiositySystem& system, const WorkRange& elements, MessageWriter& writer) {
   const ExchangeMatrix& matrix = system.matrix();
   const std::size_t begin = matrix.begins()[elements.begin], end = matrix.begins()[elements.end];

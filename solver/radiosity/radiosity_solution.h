@@ -21,8 +21,8 @@ struct ElementRadiosity {
   double emission = 0, reflectivity = 0;  // correctly rounded; of an enclosed emission its middle
   double radiosity = 0;
   double lower = 0, upper = 0;          // proven bounds; RadiositySolution::guarantee says of which equations
-  double irradiance = 0;                // sum_j F_ij B_j + D_i, what arrives directly (RadiositySources)
-  double net_lower = 0, net_upper = 0;  // proven bounds of radiosity - irradiance, of that system
+  double irradiance = 0;                // sum_j F_ij B_j + D_i (RadiositySources), reflected or not
+  double net_lower = 0, net_upper = 0;  // proven bounds of radiosity - irradiance, likewise
   double net_value = 0;                 // within them; does not lose digits as the difference of two doubles does
 
   // Returns the difference of these two doubles, rounded once: what is printed as net.

@@ -9,7 +9,7 @@
 
 namespace hottel {
 
-// A patch with all that PairGeometry3 and PairOccluders3 take of it, whatever the other patch is.
+// A patch with everything that PairGeometry3 and PairOccluders3 need of it and that depends on no other patch.
 //
 //   (1) pairs of known patches are the same, bit for bit, as those of the patches themselves
 //

@@ -10,7 +10,7 @@ namespace {
 constexpr double kSlack = 1e-9;
 constexpr double kSureNormal = 1e-11;  // of which the error is that part of it
 
-// Whether a surface has a corner in front of a patch. What is not told of a patch counts as such.
+// Whether a surface has a corner in front of a patch. True also of the sky.
 bool is_before(const Occluders3& occluders, std::uint32_t surface, const KnownPatch3& patch) {
   const auto corners = occluders.outline(surface);
   return patch.turn == 0 || std::any_of(corners.begin(), corners.end(), [&](VertexId3 v) {

@@ -181,7 +181,7 @@ void ExchangeRows3::keep(std::span<const PairSum3> pairs) {
   keeper_->keep(some);
 }
 
-// By label: whose sky has to be integrated, though it is told by closure.
+// By label: whose sky factor has to be integrated although closure was asked for.
 std::vector<char> ExchangeRows3::skies_left() {
   if (keeper_ == nullptr) return skies_to_integrate(table_, request_.tolerance, pairs_);
   std::vector<char> left(is_chosen_.size(), 0);

@@ -51,7 +51,7 @@ double unit_of_measures(const PreparedScene3& prepared) {
   return to_double(unit * unit * square_metres_per_unit(prepared.scene));
 }
 
-// Adds what is told of rows after these.
+// Adds the counts and errors of further rows.
 void add_told(const SkyByClosure& more, SkyByClosure& told) {
   told.told += more.told;
   told.checked += more.checked;
