@@ -83,12 +83,12 @@ struct Plane {
     return Painter(
         {.tone = tone_asked(options.tone, kTone), .exposure = options.exposure, .wanted_width = options.size});
   }
-  static Simulation simulation(const AnimateOptions& options, Scene2 scene, std::shared_ptr<FactorStore> store) {
+  static Simulation simulation(const AnimateOptions& options, ValidScene2 scene, std::shared_ptr<FactorStore> store) {
     if (options.tolerance)
       throw UsageError("--tolerance is for scenes in space: in the plane every factor is correctly rounded");
     options.guarantee.refuse_in_plane();
     if (options.shading != "flat") throw UsageError("--shading is for scenes in space");
-    SimulationRequest2 request{.grid = grids_of(scene, options.grid).front(),
+    SimulationRequest2 request{.grid = grids_of(*scene, options.grid).front(),
                                .keeps_rows = !options.levels.levels().is_any()};
     request.method = all_methods_2().make(options.method);
     request.memory = options.memory.value_or(0);
@@ -111,7 +111,7 @@ struct Space {
                     .wanted_width = options.size,
                     .shading = *shading_of(options.shading)});
   }
-  static Simulation simulation(const AnimateOptions& options, Scene3 scene, std::shared_ptr<FactorStore> store) {
+  static Simulation simulation(const AnimateOptions& options, ValidScene3 scene, std::shared_ptr<FactorStore> store) {
     if (!options.grid.empty())
       throw UsageError("--grid is only for scenes in the plane: in space frames show what a camera sees");
     if (options.method != "exact") options.guarantee.refuse_of_method(options.method);
@@ -228,18 +228,18 @@ std::string summary(const FramesMade& made, std::uint32_t frames, std::uint32_t 
   return text;
 }
 
-template <class Dimension, class AnyScene>
-void animate_scene(const AnimateOptions& options, AnyScene scene, Streams& streams) {
+template <class Dimension, class AnyValidScene>
+void animate_scene(const AnimateOptions& options, AnyValidScene scene, Streams& streams) {
   const auto frames = static_cast<std::uint32_t>(options.frames);
   const Rational per_second = rate_of(options);
   auto painter = Dimension::painter(options);
   options.elements.apply_to(scene);
-  require_room_for_solving(scene, options.memory, options.levels);
-  if (!has_moving_lights(scene))
-    streams.note("no light of " + scene.file + " turns or follows a path: all frames are alike");
-  require_lights_beside_surfaces(scene, frames, per_second);
+  require_room_for_solving(*scene, options.memory, options.levels);
+  if (!has_moving_lights(*scene))
+    streams.note("no light of " + scene->file + " turns or follows a path: all frames are alike");
+  require_lights_beside_surfaces(*scene, frames, per_second);
   FramesMade made;
-  made.key = key_of(options, tone_asked(options.tone, Dimension::kTone), Dimension::text_of(scene),
+  made.key = key_of(options, tone_asked(options.tone, Dimension::kTone), Dimension::text_of(*scene),
                     tolerance_of(options.tolerance, 1e-9));
   const std::filesystem::path directory = output_folder(options.out, options.scene);
   const OutputFolder folder(directory);
@@ -305,12 +305,12 @@ void animate_scene(const AnimateOptions& options, AnyScene scene, Streams& strea
 
 ExitCode animate(const AnimateOptions& options, Streams& streams) {
   options.levels.require_sense();
-  Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams));
+  ValidScene scene = read_scene_noting(options.scene, options.polygons, streams);
   require_light_in_watts(scene);
-  if (auto* space = std::get_if<Scene3>(&scene))
+  if (auto* space = std::get_if<ValidScene3>(&scene))
     animate_scene<Space>(options, std::move(*space), streams);
   else
-    animate_scene<Plane>(options, std::move(std::get<Scene2>(scene)), streams);
+    animate_scene<Plane>(options, std::move(std::get<ValidScene2>(scene)), streams);
   return ExitCode::kDone;
 }
 

@@ -36,18 +36,18 @@ Rational distance_of(const CheckCommandOptions& options) {
   return *distance;
 }
 
-std::shared_ptr<const SceneCheck2> look_at(const Scene2& scene, const Streams& streams) {
+std::shared_ptr<const SceneCheck2> look_at(const ValidScene2& scene, const Streams& streams) {
   return Simulation2(scene).check(streams.stages());
 }
 
 ExitCode exit_code(const SceneCheck2& check) { return has_error(check.findings) ? ExitCode::kUnmet : ExitCode::kDone; }
 
 // Writes the repaired scene, and tells what was done and what is found in it.
-ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const Scene2& scene, Streams& streams) {
+ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const ValidScene2& scene, Streams& streams) {
   RepairedFile out(options.fix, options.scene);
   const auto before = look_at(scene, streams);
   std::string text;
-  Scene2 repaired;
+  ValidScene2 repaired;
   std::shared_ptr<const SceneCheck2> after;
   const auto look = [&](const Scene2& some) { return look_at(some, streams); };
   const auto look_at_written = [&](const Scene2& some) {
@@ -55,7 +55,7 @@ ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const
     repaired = parse_scene_2(text, options.fix);
     return after = look_at(repaired, streams);
   };
-  const Repair2 repair = repair_scene(scene, distance, *before, {look, look_at_written});
+  const Repair2 repair = repair_scene(*scene, distance, *before, {look, look_at_written});
 
   std::optional<std::vector<FactorChange>> changes;
   if (before->factors && after->factors)
@@ -63,28 +63,28 @@ ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const
                              [&](const Element& element) { return former_name(repair, element); });
   const RepairReport report{&repair.steps, changes ? &*changes : nullptr};
   out.write(text, is_anything_done(repair.steps));
-  streams.write("", options.json ? check_json(repaired, after->findings, &report)
-                                 : repair_text(scene, report) + check_text(repaired, after->findings));
+  streams.write("", options.json ? check_json(*repaired, after->findings, &report)
+                                 : repair_text(*scene, report) + check_text(*repaired, after->findings));
   out.commit(streams);
   return exit_code(*after);
 }
 
-ExitCode check_in_plane(const CheckCommandOptions& options, const Rational& distance, const Scene2& scene,
+ExitCode check_in_plane(const CheckCommandOptions& options, const Rational& distance, const ValidScene2& scene,
                         Streams& streams) {
   if (mesh_format_3(options.fix))
     throw UsageError("a scene in the plane is repaired as a scene (.json), not as a mesh");
   if (!options.fix.empty()) return fix(options, distance, scene, streams);
   const auto check = look_at(scene, streams);
-  streams.write("", options.json ? check_json(scene, check->findings) : check_text(scene, check->findings));
+  streams.write("", options.json ? check_json(*scene, check->findings) : check_text(*scene, check->findings));
   return exit_code(*check);
 }
 
 ExitCode check(const CheckCommandOptions& options, Streams& streams) {
   const Rational distance = distance_of(options);
-  const Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams));
-  if (const auto* in_space = std::get_if<Scene3>(&scene))
+  const ValidScene scene = read_scene_noting(options.scene, options.polygons, streams);
+  if (const auto* in_space = std::get_if<ValidScene3>(&scene))
     return check_in_space(*in_space, options.scene, options.fix, distance, options.json, streams);
-  return check_in_plane(options, distance, std::get<Scene2>(scene), streams);
+  return check_in_plane(options, distance, std::get<ValidScene2>(scene), streams);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@
 namespace hottel {
 namespace {
 
-SceneCheck3 look_at(const Scene3& scene, const Streams& streams) {
+SceneCheck3 look_at(const ValidScene3& scene, const Streams& streams) {
   return scene_check(Simulation3(scene), streams.stages());
 }
 
@@ -38,11 +38,11 @@ void write_repaired(const std::string& out, MeshFormat3 format, const Scene3& sc
 
 }  // namespace
 
-ExitCode check_in_space(const Scene3& scene, const std::string& file, const std::string& fix, const Rational& distance,
-                        bool as_json, const Streams& streams) {
+ExitCode check_in_space(const ValidScene3& scene, const std::string& file, const std::string& fix,
+                        const Rational& distance, bool as_json, const Streams& streams) {
   if (fix.empty()) {
     const SceneCheck3 check = look_at(scene, streams);
-    streams.write("", as_json ? check_json(scene, check.findings) : check_text(scene, check.findings));
+    streams.write("", as_json ? check_json(*scene, check.findings) : check_text(*scene, check.findings));
     return exit_code(check);
   }
   const auto mesh = mesh_format_3(fix);
@@ -50,14 +50,15 @@ ExitCode check_in_space(const Scene3& scene, const std::string& file, const std:
   if (!mesh) out.emplace(fix, file);
   const SceneCheck3 before = look_at(scene, streams);
   std::string text;
-  Scene3 repaired;
+  ValidScene3 repaired;
   SceneCheck3 after;
-  const Repair3 repair = repair_scene(scene, distance, before, [&](const Scene3& some) {
-    text = with_file_context(scene.file, [&] { return write_scene_3(some); });
-    repaired = parse_scene_3(text, fix);
-    repaired.sources = scene.sources;
+  const Repair3 repair = repair_scene(*scene, distance, before, [&](const Scene3& some) {
+    text = with_file_context(scene->file, [&] { return write_scene_3(some); });
+    Scene3 written = parse_scene_3(text, fix);
+    written.sources = scene->sources;
     if (mesh)
-      for (Surface& surface : repaired.surfaces) surface.line = 0;  // of a scene file that nobody gets
+      for (Surface& surface : written.surfaces) surface.line = 0;  // of a scene file that nobody gets
+    repaired = std::move(written);
     return after = look_at(repaired, streams);
   });
 
@@ -69,9 +70,9 @@ ExitCode check_in_space(const Scene3& scene, const std::string& file, const std:
   if (out) out->write(text, is_anything_done(repair.steps));
   if (mesh)
     with_file_context(file,
-                      [&] { write_repaired(fix, *mesh, repaired, is_anything_done(repair.steps), file, streams); });
-  streams.write("", as_json ? check_json(repaired, after.findings, &report)
-                            : repair_text(scene, report) + check_text(repaired, after.findings));
+                      [&] { write_repaired(fix, *mesh, *repaired, is_anything_done(repair.steps), file, streams); });
+  streams.write("", as_json ? check_json(*repaired, after.findings, &report)
+                            : repair_text(*scene, report) + check_text(*repaired, after.findings));
   if (out) out->commit(streams);
   return exit_code(after);
 }

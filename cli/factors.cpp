@@ -45,7 +45,7 @@ void take_exact_form(FactorsOptions& options) {
     options.scene = options.exact_form.back();
     options.exact_form.pop_back();
   }
-  if (options.exact_form.size() % 2 == 1) throw UsageError("--exact-form takes no name or two");
+  if (options.exact_form.size() % 2 == 1) throw UsageError("--exact-form takes two names, or none for all pairs");
 }
 
 void require_sense_of_digits(const FactorsOptions& options) {
@@ -154,17 +154,17 @@ Factors factors_of(const FactorsOptions& options, const Simulation2& simulation,
   return factors;
 }
 
-void factors_in_plane(FactorsOptions& options, Scene2 scene, Streams& streams) {
-  SimulationRequest2 request = request_of(options, scene);
+void factors_in_plane(FactorsOptions& options, ValidScene2 scene, Streams& streams) {
+  SimulationRequest2 request = request_of(options, *scene);
   const auto picture = options.picture.empty() ? std::nullopt : picture_format(options.picture);
   require_use_of_limits(options);
   options.elements.apply_to(scene);
-  require_room_for(options, [&](FactorFormat format) { return dense_size(scene, options.per(), format); });
-  const PictureTargets2 targets = picture ? picture_targets(scene, options.toward) : PictureTargets2{};
+  require_room_for(options, [&](FactorFormat format) { return dense_size(*scene, options.per(), format); });
+  const PictureTargets2 targets = picture ? picture_targets(*scene, options.toward) : PictureTargets2{};
   if (options.elements.is_given() && options.granularity != "element" && !request.method->works_by_elements())
-    streams.note("elements change nothing here: rows are those of whole " + options.granularity +
-                 "s; --per element has a row each");
-  const FactorOrigin origin{2, options.method, options.keeps_scene() ? write_scene_2(scene) : ""};
+    streams.note("the division into elements changes no number here: each row is a whole " + options.granularity +
+                 "; --per element writes a row for each element");
+  const FactorOrigin origin{2, options.method, options.keeps_scene() ? write_scene_2(*scene) : ""};
   Simulation2 simulation(std::move(scene), std::move(request));
 
   FactorsFiles files(options, streams);
@@ -231,17 +231,17 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   options.format();
   if (!options.picture.empty() && !picture_format(options.picture))
     throw UsageError("a picture is written as .png, .svg or .pdf, not '" + options.picture + "'");
-  Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams, &options.deck));
+  ValidScene scene = read_scene_noting(options.scene, options.polygons, streams, &options.deck);
   options.awaits_deck = false;
   take_emit(options, streams);
   options.format();
-  if (is_vs3(options.scene) && options.per_option->count() == 0 && combines(std::get<Scene3>(scene)))
+  if (is_vs3(options.scene) && options.per_option->count() == 0 && combines(*std::get<ValidScene3>(scene)))
     options.granularity = "group";
   if (tells_areas(options)) note_unknown_unit(scene, streams);
-  if (auto* const in_space = std::get_if<Scene3>(&scene))
+  if (auto* const in_space = std::get_if<ValidScene3>(&scene))
     factors_in_space(options, std::move(*in_space), streams);
   else
-    factors_in_plane(options, std::get<Scene2>(std::move(scene)), streams);
+    factors_in_plane(options, std::get<ValidScene2>(std::move(scene)), streams);
   return ExitCode::kDone;
 }
 

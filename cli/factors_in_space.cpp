@@ -52,20 +52,20 @@ FactorsRequest3 request_in_space(const FactorsOptions& options, const Scene3& sc
 
 }  // namespace
 
-void factors_in_space(FactorsOptions& options, Scene3 scene, const Streams& streams) {
+void factors_in_space(FactorsOptions& options, ValidScene3 scene, const Streams& streams) {
   require_what_space_has(options);
   const bool by_rows = streams_rows_in_space(options);
-  FactorsRequest3 request = request_in_space(options, scene);
+  FactorsRequest3 request = request_in_space(options, *scene);
   options.elements.apply_to(scene);
   require_room_for(options, [&](FactorFormat format) {
-    const ElementCounts3 counts = element_counts(scene, request.granularity);
+    const ElementCounts3 counts = element_counts(*scene, request.granularity);
     return dense_size(counts.all, counts.with_material, format);
   });
   if (options.elements.is_given() && request.granularity != Granularity::kElement &&
       !(request.method && request.method->works_by_elements()))
-    streams.note("elements change nothing here: rows are those of whole " + options.granularity +
-                 "s; --per element has a row each");
-  const FactorOrigin origin{3, options.method, options.keeps_scene() ? write_scene_3(scene) : ""};
+    streams.note("the division into elements changes no number here: each row is a whole " + options.granularity +
+                 "; --per element writes a row for each element");
+  const FactorOrigin origin{3, options.method, options.keeps_scene() ? write_scene_3(*scene) : ""};
   Simulation3 simulation(std::move(scene), {.factors = request});
 
   FactorsFiles files(options, streams);

@@ -7,6 +7,6 @@
 namespace hottel {
 
 // Computes and writes the view factors of a scene in space. Throws UsageError for options that are of the plane so far.
-void factors_in_space(FactorsOptions& options, Scene3 scene, const Streams& streams);
+void factors_in_space(FactorsOptions& options, ValidScene3 scene, const Streams& streams);
 
 }  // namespace hottel

@@ -120,14 +120,14 @@ PlanRequest light_of(const PlanOptions& options, const Scene3& scene, std::uint6
   return request;
 }
 
-Planned plan_of(const PlanOptions& options, Scene2 scene) {
+Planned plan_of(const PlanOptions& options, ValidScene2 scene) {
   options.sky.refuse_in_plane();
   for (const auto& [is_given, option] :
        {std::pair(options.shading != PlanOptions().shading, "--shading"), {!options.texels.empty(), "--texels"}})
     if (is_given) throw UsageError(std::string(option) + " is only for scenes in space");
   options.elements.apply_to(scene);
-  scene.grids = grids_of(scene, options.grid);
-  Planned result{nullptr, memory_of(options, scene, cells_of(scene.grids)), {}, {}, 0};
+  scene.set_grids(grids_of(*scene, options.grid));
+  Planned result{nullptr, memory_of(options, *scene, cells_of(scene->grids)), {}, {}, 0};
   const Simulation2 simulation(std::move(scene), {.light = *light_kind_2(options.illumination)});
   if (is_had(result.memory)) result.effects = simulation.plan();
   if (result.memory) result.lists = lists_of(simulation, result.memory->estimate, result.effects != nullptr);
@@ -139,12 +139,12 @@ Planned plan_of(const PlanOptions& options, Scene2 scene) {
   return result;
 }
 
-Planned plan_of(const PlanOptions& options, Scene3 scene) {
+Planned plan_of(const PlanOptions& options, ValidScene3 scene) {
   if (options.sums.is_given()) throw UsageError(std::string(options.sums.name()) + " is for scenes in the plane");
   options.elements.apply_to(scene);
-  const std::uint64_t cells = cells_of(grids_of(scene, options.grid));
-  Planned result{nullptr, memory_of(options, scene, cells), {}, {}, 0};
-  const PlanRequest light = light_of(options, scene, cells);
+  const std::uint64_t cells = cells_of(grids_of(*scene, options.grid));
+  Planned result{nullptr, memory_of(options, *scene, cells), {}, {}, 0};
+  const PlanRequest light = light_of(options, *scene, cells);
   if (is_had(result.memory))
     result.effects = Simulation3(std::move(scene), {.factors = {.sky = options.sky.in_space()}, .plan = light}).plan();
   return result;
@@ -168,7 +168,7 @@ PlannedNodes nodes_of(const PlanOptions& options, const Planned& planned, const 
 ExitCode plan(const PlanOptions& options, Streams& streams) {
   refuse_nodes(options);
   Planned planned = std::visit([&](auto&& scene) { return plan_of(options, std::move(scene)); },
-                               changeable(read_scene_noting(options.scene, options.polygons, streams)));
+                               read_scene_noting(options.scene, options.polygons, streams));
   const MachineSpeed speed = planned.effects || planned.lists || options.nodes ? machine_speed() : MachineSpeed();
   std::optional<PlannedNodes> nodes;
   if (options.nodes) nodes = nodes_of(options, planned, speed);

@@ -52,36 +52,36 @@ constexpr double kTolerance = 1e-12;
 
 // A scene, and the text of a scene file that by itself holds it.
 struct GivenScene {
-  Scene scene;
+  ValidScene scene;
   std::string text;
 };
 
 // Reads a scene. Returns whether its file by itself holds it.
 bool read_given(const std::string& file, const ReferenceOptions& options, const Streams& streams, GivenScene& given) {
   if (std::filesystem::path(file).extension() != ".json") {
-    given.scene = changeable(read_scene_noting(file, options.polygons, streams));
+    given.scene = read_scene_noting(file, options.polygons, streams);
     return false;
   }
   bool names_files = false;
   given.text = read_text_file(file);
-  given.scene = changeable(parse_scene(given.text, file, [&](const std::filesystem::path& mesh) {
+  given.scene = parse_scene(given.text, file, [&](const std::filesystem::path& mesh) {
     names_files = true;
     return read_text_file(mesh);
-  }));
+  });
   return !names_files;
 }
 
 // Divides a scene, and its grids, as asked for.
-template <class AnyScene>
-void change(const ReferenceOptions& options, AnyScene& scene) {
+template <class AnyValidScene>
+void change(const ReferenceOptions& options, AnyValidScene& scene) {
   options.elements.apply_to(scene);
-  if (!options.grid.empty()) scene.grids = grids_of(scene, options.grid);
+  if (!options.grid.empty()) scene.set_grids(grids_of(*scene, options.grid));
 }
 
-std::string text_of(const std::string& file, const Scene& scene) {
+std::string text_of(const std::string& file, const ValidScene& scene) {
   return with_file_context(file, [&] {
-    const auto* const plane = std::get_if<Scene2>(&scene);
-    return plane != nullptr ? write_scene_2(*plane) : write_scene_3(std::get<Scene3>(scene));
+    const auto* const plane = std::get_if<ValidScene2>(&scene);
+    return plane != nullptr ? write_scene_2(**plane) : write_scene_3(*std::get<ValidScene3>(scene));
   });
 }
 
@@ -93,7 +93,7 @@ GivenScene given_scene(const std::string& file, const ReferenceOptions& options,
   std::visit([&](auto& scene) { change(options, scene); }, given.scene);
   given.text = text_of(file, given.scene);
   try {
-    given.scene = changeable(parse_scene(given.text, file));
+    given.scene = parse_scene(given.text, file);
   } catch (const InputError& error) {
     throw RequestError(
         file + ": as a scene file by itself, which `hottel convert` writes, it cannot be read: " + error.what());
@@ -148,7 +148,7 @@ std::vector<ReferenceLight> reference_lights(const std::vector<std::shared_ptr<c
 }
 
 SceneReference refer_in_plane(const std::string& name, GivenScene given, const Streams& streams) {
-  const Simulation2 simulation(std::get<Scene2>(std::move(given.scene)),
+  const Simulation2 simulation(std::get<ValidScene2>(std::move(given.scene)),
                                {.granularity = Granularity::kElement, .wants_visibility = true});
   const auto factors = simulation.factors(streams.stages());
   const auto solution = simulation.radiosities(streams.stages());
@@ -170,7 +170,7 @@ SceneReference refer_in_plane(const std::string& name, GivenScene given, const S
 
 SceneReference refer_in_space(const std::string& name, GivenScene given, double tolerance, bool must_be_enclosed,
                               const Streams& streams) {
-  const Simulation3 simulation(std::get<Scene3>(std::move(given.scene)),
+  const Simulation3 simulation(std::get<ValidScene3>(std::move(given.scene)),
                                {.factors = {.granularity = Granularity::kElement,
                                             .wants_visibility = true,
                                             .tolerance = tolerance,
@@ -199,10 +199,10 @@ SceneReference refer_in_space(const std::string& name, GivenScene given, double 
 // The factors of all elements and the radiosities of one scene.
 SceneReference refer(const ReferenceOptions& options, const std::string& name, GivenScene given,
                      const Streams& streams) {
-  std::visit([](const auto& scene) { require_room_for_solving(scene, std::nullopt); }, given.scene);
+  std::visit([](const auto& scene) { require_room_for_solving(*scene, std::nullopt); }, given.scene);
   require_light_in_watts(given.scene);
   note_unknown_unit(given.scene, streams);
-  if (std::holds_alternative<Scene2>(given.scene)) return refer_in_plane(name, std::move(given), streams);
+  if (std::holds_alternative<ValidScene2>(given.scene)) return refer_in_plane(name, std::move(given), streams);
   return refer_in_space(name, std::move(given), tolerance_of(options.tolerance, kTolerance),
                         options.guarantee.must_be_enclosed(), streams);
 }
@@ -215,7 +215,8 @@ std::vector<GivenScene> given_scenes(const ReferenceOptions& options, const Stre
 
 // Throws UsageError where an option for scenes in space is given and no scene of the set is in space.
 void require_some_in_space(const ReferenceOptions& options, const std::vector<GivenScene>& scenes) {
-  if (std::ranges::any_of(scenes, [](const GivenScene& given) { return std::holds_alternative<Scene3>(given.scene); }))
+  if (std::ranges::any_of(scenes,
+                          [](const GivenScene& given) { return std::holds_alternative<ValidScene3>(given.scene); }))
     return;
   if (options.tolerance)
     throw UsageError("--tolerance is for scenes in space: in the plane, as " + options.scenes.front() +

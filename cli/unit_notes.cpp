@@ -27,9 +27,6 @@ void require_light_in_watts(const SceneTable& table) {
 
 }  // namespace
 
-void note_unknown_unit(const Scene& scene, const Streams& streams) {
-  note(std::visit([](const auto& each) { return unknown_unit_note(each); }, scene), streams);
-}
 void note_unknown_unit(const ValidScene& scene, const Streams& streams) {
   note(std::visit([](const auto& each) { return unknown_unit_note(*each); }, scene), streams);
 }
@@ -42,9 +39,6 @@ std::vector<std::string> with_unit_note(const Scene3& scene, std::vector<std::st
   return joined(unknown_unit_note_3(scene), std::move(notes));
 }
 
-void require_light_in_watts(const Scene& scene) {
-  std::visit([](const SceneTable& table) { require_light_in_watts(table); }, scene);
-}
 void require_light_in_watts(const ValidScene& scene) {
   std::visit([](const auto& each) { require_light_in_watts(static_cast<const SceneTable&>(*each)); }, scene);
 }

@@ -61,7 +61,9 @@ Point2 point(const std::string& text) {
 }
 
 // Whole faces: nothing here is asked of their elements.
-Simulation2 simulation_of(Scene2 scene) { return Simulation2(std::move(scene), {.granularity = Granularity::kFace}); }
+Simulation2 simulation_of(ValidScene2 scene) {
+  return Simulation2(std::move(scene), {.granularity = Granularity::kFace});
+}
 Simulation2 simulation_of(const VisibilityOptions& options, const Streams& streams) {
   return simulation_of(read_scene_noting_2(options.scene, options.polygons, streams));
 }
@@ -282,10 +284,10 @@ ExitCode from_points(const VisibilityOptions& options, Streams& streams) {
 ExitCode from_edge(const VisibilityOptions& options, Streams& streams) {
   if (is_file(options.out)) throw UsageError("--edge writes to standard output, not to '" + options.out + "'");
   if (options.edge == "sky") throw UsageError("--edge is a face, which the sky is not");
-  Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams));
-  if (std::holds_alternative<Scene3>(scene))
+  ValidScene scene = read_scene_noting(options.scene, options.polygons, streams);
+  if (std::holds_alternative<ValidScene3>(scene))
     throw UsageError("--edge is for scenes in the plane; in space --face NAME tells what some point of a face sees");
-  const auto prepared = simulation_of(std::get<Scene2>(std::move(scene))).prepared(streams.stages());
+  const auto prepared = simulation_of(std::get<ValidScene2>(std::move(scene))).prepared(streams.stages());
   const Face face = face_of(prepared->scene, options.edge);
   require_free(*prepared, face);
   const WeakVisibility2 sight = weak_visibility(*prepared, face, streams.progress("weak visibility"));
@@ -296,10 +298,10 @@ ExitCode from_edge(const VisibilityOptions& options, Streams& streams) {
 
 ExitCode from_face_in_space(const VisibilityOptions& options, Streams& streams) {
   if (is_file(options.out)) throw UsageError("--face writes to standard output, not to '" + options.out + "'");
-  Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams));
-  if (std::holds_alternative<Scene2>(scene))
+  ValidScene scene = read_scene_noting(options.scene, options.polygons, streams);
+  if (std::holds_alternative<ValidScene2>(scene))
     throw UsageError("--face is for scenes in space; in the plane --edge NAME tells what some point of an edge sees");
-  write_face_sight(options.face, options.json, Simulation3(std::get<Scene3>(std::move(scene))), streams);
+  write_face_sight(options.face, options.json, Simulation3(std::get<ValidScene3>(std::move(scene))), streams);
   return ExitCode::kDone;
 }
 
@@ -308,8 +310,8 @@ SceneLines scene_lines(const VisibilityOptions& options) {
 }
 
 ExitCode events(const VisibilityOptions& options, Streams& streams) {
-  Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams));
-  if (Scene3* const there = std::get_if<Scene3>(&scene)) {
+  ValidScene scene = read_scene_noting(options.scene, options.polygons, streams);
+  if (auto* const there = std::get_if<ValidScene3>(&scene)) {
     const EventRequest3 request{options.scene, options.from, options.to, options.out, options.json, options.exact};
     require_sense(request);
     write_events_3(request, Simulation3(std::move(*there)), streams);
@@ -318,18 +320,18 @@ ExitCode events(const VisibilityOptions& options, Streams& streams) {
   if (options.is_pair()) throw UsageError("--events with --from A and --to B is for scenes in space");
   const SceneLines lines = scene_lines(options);
   require_sense(lines, "critical lines are");
-  write_events(lines, *simulation_of(std::get<Scene2>(std::move(scene))).prepared(streams.stages()), streams);
+  write_events(lines, *simulation_of(std::get<ValidScene2>(std::move(scene))).prepared(streams.stages()), streams);
   return ExitCode::kDone;
 }
 
 ExitCode graph(const VisibilityOptions& options, Streams& streams) {
   const SceneLines lines = scene_lines(options);
   require_sense(lines, "the visibility graph is");
-  Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams));
-  if (Scene3* const there = std::get_if<Scene3>(&scene))
+  ValidScene scene = read_scene_noting(options.scene, options.polygons, streams);
+  if (auto* const there = std::get_if<ValidScene3>(&scene))
     write_graph_3(lines, Simulation3(std::move(*there)), streams);
   else
-    write_graph(lines, *simulation_of(std::get<Scene2>(std::move(scene))).prepared(streams.stages()), streams);
+    write_graph(lines, *simulation_of(std::get<ValidScene2>(std::move(scene))).prepared(streams.stages()), streams);
   return ExitCode::kDone;
 }
 
@@ -376,7 +378,7 @@ ExitCode show(const ShownAnswer& shown, const VisibilityOptions& options, std::o
 
 constexpr const char* kWhereNoIrradiance = "--no-irradiance goes with --at X,Y in the plane";
 
-ExitCode in_space(const VisibilityOptions& options, Scene3 scene, std::optional<PictureFormat> format,
+ExitCode in_space(const VisibilityOptions& options, ValidScene3 scene, std::optional<PictureFormat> format,
                   Streams& streams) {
   const bool proves = options.guarantee.must_be_enclosed();
   if (options.no_irradiance) throw UsageError(kWhereNoIrradiance);
@@ -401,15 +403,16 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
   const bool is_drawn = is_file(options.out);
   const auto format = is_drawn ? picture_format(options.out) : std::nullopt;
   if (is_drawn && !format) throw UsageError("a drawing is written as .png, .svg or .pdf, not '" + options.out + "'");
-  Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams));
+  ValidScene scene = read_scene_noting(options.scene, options.polygons, streams);
   if (options.is_pair()) note_unknown_unit(scene, streams);
-  if (Scene3* const there = std::get_if<Scene3>(&scene)) return in_space(options, std::move(*there), format, streams);
+  if (auto* const there = std::get_if<ValidScene3>(&scene))
+    return in_space(options, std::move(*there), format, streams);
   options.guarantee.refuse_in_plane();
   const std::optional<Point2> eye =
       options.is_pair() || !options.on.empty() ? std::nullopt : std::optional(point(options.at));
   const Rational t = options.on.empty() ? Rational(0) : number_of(options.at, "--at with --on");
 
-  const Simulation2 simulation = simulation_of(std::get<Scene2>(std::move(scene)));
+  const Simulation2 simulation = simulation_of(std::get<ValidScene2>(std::move(scene)));
   const auto made = simulation.prepared(streams.stages());
   const PreparedScene2& prepared = *made;
   if (format) require_drawable(prepared.scene);

@@ -50,10 +50,10 @@ std::vector<PythonFinding> told(const Scene& scene, const Findings& findings) {
   return result;
 }
 
-std::shared_ptr<const SceneCheck2> look(const Scene2& scene, const StageProgress& progress) {
+std::shared_ptr<const SceneCheck2> look(const ValidScene2& scene, const StageProgress& progress) {
   return Simulation2(scene).check(progress);
 }
-std::shared_ptr<const SceneCheck3> look(const Scene3& scene, const StageProgress& progress) {
+std::shared_ptr<const SceneCheck3> look(const ValidScene3& scene, const StageProgress& progress) {
   return std::make_shared<const SceneCheck3>(scene_check(Simulation3(scene), progress));
 }
 
@@ -66,41 +66,41 @@ py::tuple tuple_of_all(const std::vector<Item>& items) {
 
 py::tuple check(const PythonScene& scene) {
   return tuple_of_all(without_lock({}, [&](const StageProgress& progress) {
-    return std::visit([&](const auto& each) { return told(each, look(each, progress)->findings); }, scene.scene());
+    return std::visit([&](const auto& each) { return told(*each, look(each, progress)->findings); }, scene.scene());
   }));
 }
 
-template <class Repair, class Scene, class Check>
-PythonRepair repair_told(const Repair& repair, Scene repaired, const Check& before, const Check& after) {
-  PythonRepair result{PythonScene(hottel::Scene(repaired)), repair.steps, told(repaired, after.findings), std::nullopt};
+template <class Repair, class AnyValidScene, class Check>
+PythonRepair repair_told(const Repair& repair, const AnyValidScene& repaired, const Check& before, const Check& after) {
+  PythonRepair result{PythonScene(repaired), repair.steps, told(*repaired, after.findings), std::nullopt};
   if (before.factors && after.factors)
     result.changes = factor_changes(*before.factors, *after.factors,
                                     [&](const Element& element) { return former_name(repair, element); });
   return result;
 }
 
-PythonRepair repaired(const Scene2& scene, const Rational& distance, const StageProgress& progress) {
+PythonRepair repaired(const ValidScene2& scene, const Rational& distance, const StageProgress& progress) {
   const auto before = look(scene, progress);
-  Scene2 written;
+  ValidScene2 written;
   std::shared_ptr<const SceneCheck2> after;
   const auto look_at_written = [&](const Scene2& some) {
     written = parse_scene_2(write_scene_2(some), std::string(kNoFile));
     return after = look(written, progress);
   };
-  const Repair2 repair = repair_scene(scene, distance, *before,
+  const Repair2 repair = repair_scene(*scene, distance, *before,
                                       {[&](const Scene2& some) { return look(some, progress); }, look_at_written});
-  return repair_told(repair, std::move(written), *before, *after);
+  return repair_told(repair, written, *before, *after);
 }
 
-PythonRepair repaired(const Scene3& scene, const Rational& distance, const StageProgress& progress) {
+PythonRepair repaired(const ValidScene3& scene, const Rational& distance, const StageProgress& progress) {
   const auto before = look(scene, progress);
-  Scene3 written;
+  ValidScene3 written;
   SceneCheck3 after;
-  const Repair3 repair = repair_scene(scene, distance, *before, [&](const Scene3& some) {
+  const Repair3 repair = repair_scene(*scene, distance, *before, [&](const Scene3& some) {
     written = parse_scene_3(write_scene_3(some), std::string(kNoFile));
     return after = *look(written, progress);
   });
-  return repair_told(repair, std::move(written), *before, after);
+  return repair_told(repair, written, *before, after);
 }
 
 PythonRepair fixed(const PythonScene& scene, const py::object& within, bool is_binary) {

@@ -27,7 +27,7 @@ hottel.RequestError: 'marble', the material of 'reveal_1[0]', is not gray: choos
 >>> hottel.generate("house")
 Traceback (most recent call last):
     ...
-hottel.UsageError: there is no kind of scene called 'house': room, clutter, lattice, maze, comb, star, pillars, plates, room-boxes, room-stacked, room-touching, room-floating, room-turned, room-piercing, street-blocks, town, terrain, nested-cubes, triangle-soup, furnished-room, flat, lattice-boxes)py"},
+hottel.UsageError: there is no kind of scene called 'house'; the kinds are room, clutter, lattice, maze, comb, star, pillars, plates, room-boxes, room-stacked, room-touching, room-floating, room-turned, room-piercing, street-blocks, town, terrain, nested-cubes, triangle-soup, furnished-room, flat, lattice-boxes)py"},
     {"Scene", R"py(
 >>> scene = hottel.Scene({"dimension": 2, "materials": {"grey": {"reflectivity": 0.5}}, "edges": [
 ...     {"name": "floor", "material": "grey", "points": [[2, 0], [0, 0]]}]})

@@ -87,7 +87,7 @@ class PythonFrames {
       if (format != PictureFormat::kPng) throw UsageError("a frame has pixels: it is written as .png");
       return bytes;
     };
-    PythonScene scene(std::visit([](const auto& each) { return hottel::Scene(each.scene()); }, *simulation));
+    PythonScene scene(std::visit([](const auto& each) { return ValidScene(each.scene()); }, *simulation));
     return {k, to_double(time), py::cast(PythonSimulation(std::move(scene), options_, simulation)),
             PythonPicture(drawn, {})};
   }
@@ -151,7 +151,7 @@ std::shared_ptr<PythonFrames> frames(const PythonSimulation& simulation, std::in
     throw UsageError("cells are for scenes in the plane: in space frames show what a camera sees");
   const auto number = static_cast<std::uint32_t>(count);
   without_lock({}, [&](const StageProgress&) {
-    std::visit([&](const auto& scene) { require_lights_beside_surfaces(scene, number, per_second); },
+    std::visit([&](const auto& scene) { require_lights_beside_surfaces(*scene, number, per_second); },
                simulation.scene().scene());
   });
   return std::make_shared<PythonFrames>(simulation, film_of(simulation, {cells, py::none(), "point"}, look), number,

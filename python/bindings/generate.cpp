@@ -38,7 +38,7 @@ void require_kind(const std::string& name) {
   if (std::ranges::find(kinds, name) != kinds.end()) return;
   std::string all;
   for (const std::string& kind : kinds) all += (all.empty() ? "" : ", ") + kind;
-  throw UnknownName("there is no kind of scene called '" + name + "': " + all, name, kinds);
+  throw UnknownName("there is no kind of scene called '" + name + "'; the kinds are " + all, name, kinds);
 }
 
 GeneratorRequest2 request_of(const std::string& kind, const GenerateKeywords& asked) {
@@ -59,7 +59,7 @@ GeneratorRequest2 request_of(const std::string& kind, const GenerateKeywords& as
   return request;
 }
 
-hottel::Scene generated(const std::string& name, const GenerateKeywords& asked) {
+ValidScene generated(const std::string& name, const GenerateKeywords& asked) {
   const GeneratorKind3* const kind = kind_in_space(name);
   if (kind == nullptr) return generate_2(request_of(name, asked));
   if (asked.digits || asked.view || asked.length || asked.k)

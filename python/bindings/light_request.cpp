@@ -45,7 +45,7 @@ std::optional<std::vector<std::uint32_t>> cells_of(const py::object& cells, std:
 }
 
 // A grid by itself is read as that of a scene of one surface.
-hottel::Scene scene_with_grid(const py::object& over, bool is_plane) {
+ValidScene scene_with_grid(const py::object& over, bool is_plane) {
   if (!py::isinstance<py::dict>(over)) throw py::type_error("over is a dict, a grid as a scene file has it");
   py::dict surface, materials, table;
   surface["name"] = "surface";
@@ -77,7 +77,9 @@ auto grids_over(const AnyScene& scene, const py::object& over) -> decltype(AnySc
     throw UsageError("there is no grid called " + quoted_name(name) +
                      (scene.grids.empty() ? "; the scene has none" : ", only: " + names_of_grids(scene.grids)));
   }
-  if (!over.is_none()) return std::get<AnyScene>(scene_with_grid(over, std::is_same_v<AnyScene, Scene2>)).grids;
+  constexpr bool kIsPlane = std::is_same_v<AnyScene, Scene2>;
+  using AnyValidScene = std::conditional_t<kIsPlane, ValidScene2, ValidScene3>;
+  if (!over.is_none()) return std::get<AnyValidScene>(scene_with_grid(over, kIsPlane))->grids;
   if (scene.grids.size() > 1)
     throw UsageError("the scene has several grids, of which over='NAME' is one: " + names_of_grids(scene.grids));
   return scene.grids;

@@ -131,8 +131,8 @@ PythonPicture scene_picture(const PythonScene& scene, std::int64_t size, bool ha
   const std::uint32_t width = width_of_picture(size);
   if (!scene.is_plane() && has_axes) throw UsageError("axes are for plans in the plane");
   auto draw = without_lock({}, [&](const StageProgress&) {
-    if (scene.is_plane()) return plan_of(std::get<Scene2>(scene.scene()), width, has_axes);
-    return view_of(std::get<Scene3>(scene.scene()), width);
+    if (scene.is_plane()) return plan_of(scene.in_plane(), width, has_axes);
+    return view_of(scene.in_space(), width);
   });
   return PythonPicture(std::move(draw), {});
 }

@@ -35,29 +35,24 @@ void require_planes_kept(const Scene3& scene) {
 }  // namespace
 
 const SceneTable& PythonScene::table() const {
-  return std::visit([](const auto& scene) -> const SceneTable& { return scene; }, *scene_);
+  return std::visit([](const auto& scene) -> const SceneTable& { return *scene; }, *scene_);
 }
 
-std::string PythonScene::key() const {
-  if (const auto* const plane = std::get_if<Scene2>(scene_.get())) return write_scene_2(*plane);
-  return write_scene_3(std::get<Scene3>(*scene_));
-}
+std::string PythonScene::key() const { return is_plane() ? write_scene_2(in_plane()) : write_scene_3(in_space()); }
 
 std::string PythonScene::text() const {
-  if (const auto* const space = std::get_if<Scene3>(scene_.get())) require_planes_kept(*space);
+  if (!is_plane()) require_planes_kept(in_space());
   return key();
 }
 
-PythonScene scene_of_text(const std::string& text) {
-  return PythonScene(changeable(parse_scene(text, std::string(kNoFile))));
-}
+PythonScene scene_of_text(const std::string& text) { return PythonScene(parse_scene(text, std::string(kNoFile))); }
 
 // Files that it names are found in the folder.
 PythonScene scene_of(const py::dict& table, const std::filesystem::path& folder, bool is_binary) {
   const std::string text = scene_text(table, is_binary);
   const py::gil_scoped_release released;
   if (folder.empty()) return scene_of_text(text);
-  return PythonScene(changeable(parse_scene(text, (folder / kNoFile).string())));
+  return PythonScene(parse_scene(text, (folder / kNoFile).string()));
 }
 
 }  // namespace hottel::python

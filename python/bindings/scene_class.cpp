@@ -20,7 +20,7 @@ namespace {
 
 // A scene, and what is to be said of how it was read: what was passed over, which polygons were cut.
 struct NotedScene {
-  hottel::Scene scene;
+  ValidScene scene;
   std::vector<std::string> notes;
 };
 
@@ -31,9 +31,9 @@ NotedScene read_noting(const std::filesystem::path& file, bool triangulates, Map
   Triangulator3* const used = triangulates ? &triangulator : nullptr;
   if (is_vs3(file)) {
     Vs3Scene3 deck = read_vs3_3(file, used);
-    noted = {Scene3(std::move(deck.scene)), std::move(deck.notes)};
+    noted = {std::move(deck.scene), std::move(deck.notes)};
   } else {
-    noted.scene = changeable(read_scene(file, used, &passed_over, side));
+    noted.scene = read_scene(file, used, &passed_over, side);
   }
   for (const std::string& note : {passed_over.note(), triangulator.note()})
     if (!note.empty()) noted.notes.push_back(note);
@@ -71,12 +71,12 @@ py::array points_of(const PythonScene& scene, const std::string& name) {
   if (!place) throw UsageError("'" + name + "' is not one surface");
   std::vector<double> values;
   if (scene.is_plane()) {
-    const Edge2& edge = std::get<Scene2>(scene.scene()).edges[*place];
+    const Edge2& edge = scene.in_plane().edges[*place];
     for (const Point2* point : {&edge.from, &edge.to})
       for (const double x : to_doubles(*point)) values.push_back(x);
     return frozen(std::move(values), {2, 2});
   }
-  for (const Point3& point : std::get<Scene3>(scene.scene()).polygons[*place].points)
+  for (const Point3& point : scene.in_space().polygons[*place].points)
     for (const double x : to_doubles(point)) values.push_back(x);
   const auto count = static_cast<py::ssize_t>(values.size() / 3);
   return frozen(std::move(values), {count, 3});
@@ -106,17 +106,15 @@ PythonScene moved(const PythonScene& scene, const std::string& pattern, const py
   std::vector<Rational> by;
   for (std::size_t k = 0; k < dimension; ++k)
     by.push_back(rational_of(py::object(vector[k]), is_binary, "vector[" + std::to_string(k) + "]"));
-  hottel::Scene result = scene.scene();
   const std::vector<std::uint32_t> which = surfaces_matching(scene.table(), pattern);
-  if (auto* const plane = std::get_if<Scene2>(&result)) {
-    for (const std::uint32_t s : which) move(plane->edges[s], by);
-    validate(*plane);
-  } else {
-    Scene3& space = std::get<Scene3>(result);
-    for (const std::uint32_t s : which) move(space.polygons[s], by);
-    validate(space);
+  if (scene.is_plane()) {
+    Scene2 plane = scene.in_plane();
+    for (const std::uint32_t s : which) move(plane.edges[s], by);
+    return PythonScene(ValidScene2(std::move(plane)));
   }
-  return PythonScene(std::move(result));
+  Scene3 space = scene.in_space();
+  for (const std::uint32_t s : which) move(space.polygons[s], by);
+  return PythonScene(ValidScene3(std::move(space)));
 }
 
 py::dict dict_of(const PythonScene& scene) {

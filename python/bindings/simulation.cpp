@@ -81,10 +81,10 @@ PythonSimulation PythonSimulation::of(const PythonScene& scene, SimulationOption
 PythonSimulation PythonSimulation::with_scene(const PythonScene& scene) const {
   if (scene.is_plane() != scene_.is_plane()) throw UsageError("the other scene is of another dimension");
   auto simulation = waited([&](const AnySimulation&, const StageProgress& progress) {
-    hottel::Scene other = divided(scene.scene(), options_);
-    if (auto* const plane = std::get_if<Scene2>(&other))
+    ValidScene other = divided(scene.scene(), options_);
+    if (auto* const plane = std::get_if<ValidScene2>(&other))
       return refined_by(options_, in_the_plane().with_scene(std::move(*plane)), progress);
-    return refined_by(options_, in_space().with_scene(std::get<Scene3>(std::move(other))), progress);
+    return refined_by(options_, in_space().with_scene(std::get<ValidScene3>(std::move(other))), progress);
   });
   return {scene, options_, std::move(simulation)};
 }

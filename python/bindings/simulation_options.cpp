@@ -62,7 +62,7 @@ std::uint64_t memory_of(const SimulationOptions& options) {
   return static_cast<std::uint64_t>(options.memory.value_or(0));
 }
 
-Simulation2 in_plane(Scene2 scene, const SimulationOptions& options, const std::shared_ptr<FactorStore>& store) {
+Simulation2 in_plane(ValidScene2 scene, const SimulationOptions& options, const std::shared_ptr<FactorStore>& store) {
   SimulationRequest2 request;
   request.method = all_methods_2().make(options.method);
   if (options.per) request.granularity = granularity_of(*options.per);
@@ -75,9 +75,9 @@ Simulation2 in_plane(Scene2 scene, const SimulationOptions& options, const std::
   return Simulation2(std::move(scene), std::move(request));
 }
 
-Simulation3 in_space(Scene3 scene, const SimulationOptions& options, const std::shared_ptr<FactorStore>& store) {
+Simulation3 in_space(ValidScene3 scene, const SimulationOptions& options, const std::shared_ptr<FactorStore>& store) {
   SimulationRequest3 request;
-  const bool is_by_elements = is_divided(scene) || options.levels.is_any();
+  const bool is_by_elements = is_divided(*scene) || options.levels.is_any();
   if (options.method != "exact") request.factors.method = all_methods_3().make(options.method);
   request.factors.granularity = options.per      ? granularity_of(*options.per)
                                 : is_by_elements ? Granularity::kElement
@@ -89,17 +89,17 @@ Simulation3 in_space(Scene3 scene, const SimulationOptions& options, const std::
   request.factors.store = store;
   request.system = {.solver = solver_of(options, false), .iterations = iterations_of(options), .until = options.until};
   request.plan.everything = options.simulate == "everything";
-  for (const Grid3& grid : scene.grids) request.plan.grid_cells += grid.cells();
+  for (const Grid3& grid : scene->grids) request.plan.grid_cells += grid.cells();
   return Simulation3(std::move(scene), request);
 }
 
-template <class AnyScene>
-void divide(AnyScene& scene, const SimulationOptions& options) {
+template <class AnyValidScene>
+void divide(AnyValidScene& scene, const SimulationOptions& options) {
   if (options.elements) divide_into(scene, static_cast<std::uint32_t>(*options.elements));
   if (!options.element_size) return;
   if (const auto surface = divide_by_length(scene, *options.element_size, kMaxElements))
     throw UsageError("element_size asks for more than " + std::to_string(kMaxElements) + " elements on '" +
-                     scene.surfaces[*surface].name + "'");
+                     scene->surfaces[*surface].name + "'");
 }
 
 }  // namespace
@@ -136,15 +136,15 @@ void require_sense(const SimulationOptions& options, bool is_plane) {
                      "'");
 }
 
-hottel::Scene divided(hottel::Scene scene, const SimulationOptions& options) {
+ValidScene divided(ValidScene scene, const SimulationOptions& options) {
   std::visit([&options](auto& each) { divide(each, options); }, scene);
   return scene;
 }
 
-AnySimulation simulation_of(hottel::Scene scene, const SimulationOptions& options,
+AnySimulation simulation_of(ValidScene scene, const SimulationOptions& options,
                             const std::shared_ptr<FactorStore>& store) {
-  if (auto* const plane = std::get_if<Scene2>(&scene)) return in_plane(std::move(*plane), options, store);
-  return in_space(std::get<Scene3>(std::move(scene)), options, store);
+  if (auto* const plane = std::get_if<ValidScene2>(&scene)) return in_plane(std::move(*plane), options, store);
+  return in_space(std::get<ValidScene3>(std::move(scene)), options, store);
 }
 
 std::shared_ptr<const AnySimulation> refined_by(const SimulationOptions& options, AnySimulation simulation,

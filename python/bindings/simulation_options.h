@@ -32,10 +32,10 @@ using AnySimulation = std::variant<Simulation2, Simulation3>;
 // Throws UsageError for what makes no sense, or not in that dimension.
 void require_sense(const SimulationOptions& options, bool is_plane);
 // The scene, its surfaces divided as is asked for. Throws UsageError where that is too many.
-hottel::Scene divided(hottel::Scene scene, const SimulationOptions& options);
+ValidScene divided(ValidScene scene, const SimulationOptions& options);
 // The simulation of a scene that is divided, without trees under its elements. REQUIRES what makes sense. store: where
 // factors are kept, or null.
-AnySimulation simulation_of(hottel::Scene scene, const SimulationOptions& options,
+AnySimulation simulation_of(ValidScene scene, const SimulationOptions& options,
                             const std::shared_ptr<FactorStore>& store);
 // The same with trees by the levels that are asked for.
 std::shared_ptr<const AnySimulation> refined_by(const SimulationOptions& options, AnySimulation simulation,

@@ -91,7 +91,7 @@ PictureRequest request_of(const PythonScene& scene, const PictureKeywords& asked
     require_sense_in_space(asked, request);
   request.shows_cells = scene.is_plane() && is_of_points(request.shown) &&
                         asked.grid.illumination != "inverse-square" &&
-                        (asked.grid.is_given() || !std::get<Scene2>(scene.scene()).grids.empty());
+                        (asked.grid.is_given() || !scene.in_plane().grids.empty());
   return request;
 }
 

@@ -1,23 +1,26 @@
 // What a solve makes of a scene, counted: one validation, one arrangement of its surfaces, in space one set of
 // occluders, and one table of the elements of each granularity. The counting program is `hottel` with counting
 // functions in the place of those that make these.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 #include "tests/cli/program.h"
 
 namespace hottel::testing_cli::once_test {
 namespace {
 
-std::string counts_of_solve(const std::string& arguments) {
+std::string counts_of(const std::string& command, const std::string& scene_and_options) {
   const Workplace place;
-  const Outcome outcome =
-      place.run("HOTTEL_COUNTS=counts '" HOTTEL_COUNTING_PROGRAM "' solve " HOTTEL_SOURCE_DIR "/scenes/" + arguments +
-                " -o out --quiet");
+  const Outcome outcome = place.run("HOTTEL_COUNTS=counts '" HOTTEL_COUNTING_PROGRAM "' " + command +
+                                    " " HOTTEL_SOURCE_DIR "/scenes/" + scene_and_options + " --quiet");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   return place.read("counts");
 }
+
+std::string counts_of_solve(const std::string& arguments) { return counts_of("solve", arguments + " -o out"); }
 
 TEST(Solve, MakesEachOfASceneInThePlaneOnce) {
   const std::string expected = R"(validations 1
@@ -44,6 +47,20 @@ arrangements 1
 occluders 1
 tables of faces 1, of elements 2, of groups 0
 )");
+}
+
+TEST(Commands, ValidateASceneOnce) {
+  for (const std::string scene : {"analytic/strip_obstructed.json", "space/two_boxes.json"}) {
+    const std::string name = scene.starts_with("space") ? " --from lamp --to floor" : " --from bottom --to top";
+    for (const auto& [command, options] : {std::pair<std::string, std::string>("factors", " --elements 2 -o f.csv"),
+                                           {"plan", " --elements 2"},
+                                           {"visibility", name},
+                                           {"visibility", " --graph -o g.csv"},
+                                           {"check", ""}})
+      EXPECT_THAT(counts_of(command, scene + options), testing::StartsWith("validations 1\n")) << command << options;
+  }
+  EXPECT_THAT(counts_of("animate", "lights/lighthouse.json --frames 1 --grid 4x4 -o film"),
+              testing::StartsWith("validations 1\n"));
 }
 
 }  // namespace
