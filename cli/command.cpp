@@ -222,6 +222,7 @@ ExitCode Commands::parse_and_run(int argc, const char* const* argv) {
     const CLI::App& command = chosen.empty() ? program_ : *chosen.front();
     const std::string name = chosen.empty() ? "hottel" : "hottel " + command.get_name();
     std::string message = error.what();
+    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && chosen.empty()) message = "no command is given";
     std::vector<std::string> hints;
     if (auto extras = program_.remaining(true);
         !extras.empty() && (chosen.empty() || dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)) {

@@ -63,8 +63,9 @@ void require_kind_of_scene(const std::string& name) {
   for (const GeneratorKind2& kind : generator_kinds_2()) kinds.push_back(kind.name);
   for (const GeneratorKind3& kind : generator_kinds_3()) kinds.push_back(kind.name);
   if (std::find(kinds.begin(), kinds.end(), name) == kinds.end())
-    throw UnknownName(fmt::format("there is no kind of scene called '{}': {}", name, fmt::join(kinds, ", ")), name,
-                      kinds);
+    throw UnknownName(
+        fmt::format("there is no kind of scene called '{}'; the kinds are {}", name, fmt::join(kinds, ", ")), name,
+        kinds);
 }
 
 GeneratorRequest2 request_of(const GenerateOptions& options) {

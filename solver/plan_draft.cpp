@@ -83,7 +83,8 @@ void PlanDraft::add_unreachable(bool is_one_room) {
   const bool emits = has_material([](const Material& material) { return !material.emission.is_zero(); });
   const bool is_lit = emits || !scene_.sky_emission.is_zero() || !scene_.lights.empty();
   add(Plan::kUnreachable, !is_one_room || !is_lit,
-      is_lit ? "rooms that no light reaches stay exactly dark and are not solved" : "nothing emits",
+      is_lit ? "rooms that no light reaches stay exactly dark and are not solved"
+             : "nothing emits: everything stays exactly dark and is not solved",
       "one room with light");
 }
 

@@ -44,13 +44,16 @@ std::string factors_text(const FactorsReport& report) {
     for (const std::string& note : report.of_method.notes) text += "\n" + note;
     return text + (report.store ? "\n" + store_text(*report.store) : "");
   }
-  std::string text = fmt::format("{} of {}, every factor correctly rounded; before that rows sum to exactly 1\n",
-                                 counted(counts.pairs, "visible pair"), rows);
+  std::string text =
+      fmt::format("{} of {}; every factor is correctly rounded, and before rounding rows sum to exactly 1\n",
+                  counted(counts.pairs, "visible pair"), rows);
   if (report.store && report.store->use.computed == 0)
     text += fmt::format("taken from a store; {:.3f} s", seconds);
   else
     text += fmt::format(
-        "settled by: {} without rounding, {} in 128-bit fixed point, {} by balls, {} by root sums; {:.3f} s",
+        "numbers by the arithmetic they needed: {} integers, {} fixed point of 128 bits, {} balls (intervals), {} "
+        "exact "
+        "sums of roots; {:.3f} s",
         counts.tiers.by_tier[0], counts.tiers.by_tier[1], counts.tiers.by_tier[2], counts.tiers.by_tier[3], seconds);
   if (report.store) text += "\n" + store_text(*report.store);
   if (report.gray) text += "\n" + gray_text(*report.gray);

@@ -141,8 +141,8 @@ std::string dividing_text(const DividingEstimate& estimate) {
     return "estimate: dividing changes no radiosity: nothing is reflected\n";
   if (!places.empty() || !means.empty())
     text = fmt::format(
-        "estimate{}: dividing every element once more would change {}{}{}; shadows finer than its parts "
-        "do not show in it\n",
+        "estimate{}: dividing every element once more would change {}{}{}; it does not see shadows "
+        "finer than half an element\n",
         0 < estimate.looked_at && estimate.looked_at < estimate.elements
             ? fmt::format(" from {} of {} elements", estimate.looked_at, estimate.elements)
             : "",

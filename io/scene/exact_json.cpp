@@ -82,7 +82,7 @@ class JsonBuilder {
               std::to_string(kMaxNumberExponent)});
     // "[...] parse error at line 1, column 5: syntax error while parsing value - invalid literal; last read: '...'"
     std::string text = error.what();
-    if (const auto place = text.find("syntax error"); place != std::string::npos) text.erase(0, place);
+    if (const auto reason = text.find(" - "); reason != std::string::npos) text.erase(0, reason + 3);
     text.erase(std::min(text.find("; last read: "), text.size()));
     refuse("this is not JSON: " + text);
   }

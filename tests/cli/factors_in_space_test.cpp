@@ -120,7 +120,7 @@ TEST_F(FactorsInSpace, FacesAreWholeUnlessElementsAreAskedFor) {
   EXPECT_EQ(froms_of(rows("screened.json")), faces);
   EXPECT_EQ(csv("screened.json"), csv("screened.json --per face --elements 7"));
   const Outcome told = place_.run("hottel factors screened.json --elements 7 -o f.csv");
-  EXPECT_THAT(told.err, HasSubstr("elements change nothing here"));
+  EXPECT_THAT(told.err, HasSubstr("the division into elements changes no number here"));
 }
 
 TEST_F(FactorsInSpace, ElementsAreNumberedAsDocumented) {

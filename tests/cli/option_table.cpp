@@ -481,7 +481,7 @@ const std::vector<OptionEntry>& option_entries() {
        "--exact-form",
        "hottel factors $S --exact-form",
        "hottel factors $S",
-       {{"hottel factors $S --exact-form bottom", "--exact-form takes no name or two"},
+       {{"hottel factors $S --exact-form bottom", "--exact-form takes two names, or none for all pairs"},
         {"hottel factors $S --exact-form --json", "--matrix, --exact-form and --pairs want -o FILE"},
         {"hottel factors $S --exact-form -o f.mtx", "as .csv"},
         {"hottel factors $S --exact-form --method gauss:4", "are for the method exact"},

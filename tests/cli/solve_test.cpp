@@ -145,7 +145,7 @@ TEST(Solve, EstimatesWhatDividingWouldChange) {
   EXPECT_THAT(divided.err, HasSubstr("bounds for these elements within"));
   EXPECT_THAT(divided.err,
               HasSubstr("estimate: dividing every element once more would change radiosities by an rms of"));
-  EXPECT_THAT(divided.err, HasSubstr("shadows finer than its parts do not show in it"));
+  EXPECT_THAT(divided.err, HasSubstr("it does not see shadows finer than half an element"));
   const auto report = nlohmann::json::parse(place.read("out/report.json"));
   EXPECT_EQ(report["bounds"]["of"], "these elements");
   const auto& estimate = report["estimate_of_dividing"];
