@@ -14,10 +14,11 @@ SplitMethodName split_method_name(const std::string& name) {
   return {name.substr(0, name.size() - normalised.size()), std::string(normalised)};
 }
 
-void refuse_method(const std::string& name, const std::vector<std::string>& families,
+void refuse_method(const std::string& name, const std::string& where, const std::vector<std::string>& families,
                    const std::vector<std::string>& patterns) {
-  throw UnknownName(fmt::format("there is no method called '{}': {}", name, fmt::join(patterns, ", ")),
-                    family_of_method(name), families);
+  throw UnknownName(
+      fmt::format("there is no method called '{}' {}; there are {}", name, where, fmt::join(patterns, ", ")),
+      family_of_method(name), families);
 }
 
 }  // namespace hottel

@@ -34,9 +34,9 @@ struct SplitMethodName {
 };
 SplitMethodName split_method_name(const std::string& name);
 
-// Throws UnknownName for a method of none of these families; it lists their patterns.
-[[noreturn]] void refuse_method(const std::string& name, const std::vector<std::string>& families,
-                                const std::vector<std::string>& patterns);
+// Throws UnknownName for a method of none of these families; it lists their patterns, and where they are: "in space".
+[[noreturn]] void refuse_method(const std::string& name, const std::string& where,
+                                const std::vector<std::string>& families, const std::vector<std::string>& patterns);
 
 // The same method with every row divided by its sum (normalised_method.h has the template: whoever defines a catalogue
 // of a dimension instantiates it).
@@ -52,6 +52,9 @@ std::unique_ptr<ExchangeMethod<Prepared>> normalised_method(std::unique_ptr<Exch
 template <class Prepared>
 class MethodCatalogue {
  public:
+  // where: of which scenes, as messages say it ("in the plane").
+  explicit MethodCatalogue(std::string where) : where_(std::move(where)) {}
+
   // Adds a family. REQUIRES a name that no family has yet: the first one of a name is found.
   void add(MethodFamily<Prepared> family) { families_.push_back(std::move(family)); }
   const std::vector<MethodFamily<Prepared>>& families() const { return families_; }
@@ -68,10 +71,11 @@ class MethodCatalogue {
       known.push_back(each.name);
       patterns.push_back(each.pattern);
     }
-    refuse_method(name, known, patterns);
+    refuse_method(name, where_, known, patterns);
   }
 
  private:
+  std::string where_;
   std::vector<MethodFamily<Prepared>> families_;
 };
 

@@ -384,7 +384,7 @@ TEST(Compare, RefusesMethodsThatThereAreNotBeforeItWritesAnything) {
   const Workplace place;
   const Outcome outcome = place.run("hottel compare '" + kSquare + "' --methods exact,guess");
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("there is no method called 'guess': exact"));
+  EXPECT_THAT(outcome.err, HasSubstr("there is no method called 'guess' in the plane; there are exact"));
   EXPECT_TRUE(place.files().empty());
   EXPECT_EQ(place.run("hottel compare '" + kSquare + "' --repeat 0").code, 2);
   EXPECT_EQ(place.run("hottel compare").code, 2);

@@ -57,7 +57,7 @@ class ExternalRoomTest : public ::testing::Test {
   }
 
   static MethodCatalogue2 planar() {
-    MethodCatalogue2 methods;
+    MethodCatalogue2 methods("in the plane");
     add_external_methods<ElementMethod2>(methods);
     return methods;
   }

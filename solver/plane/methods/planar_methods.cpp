@@ -19,7 +19,7 @@ MethodFamily2 rays_family_2();
 MethodFamily2 arithmetic_family_2();
 
 MethodCatalogue2 methods_2() {
-  MethodCatalogue2 methods;
+  MethodCatalogue2 methods("in the plane");
   methods.add(exact_family_2());
   methods.add(center_family_2());
   methods.add(center_vis_family_2());

@@ -19,7 +19,7 @@ MethodFamily3 hemicube_family_3();
 MethodFamily3 rays_family_3();
 
 MethodCatalogue3 methods_3() {
-  MethodCatalogue3 methods;
+  MethodCatalogue3 methods("in space");
   methods.add(exact_family_3());
   methods.add(center_family_3());
   methods.add(center_vis_family_3());
