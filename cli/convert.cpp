@@ -117,11 +117,13 @@ void convert_mesh(const ConvertOptions& options, Streams& streams) {
 }
 
 void convert_scene(const ConvertOptions& options, Streams& streams) {
-  const auto format = mesh_format_3(options.out);
-  if (format)
-    return write_as_mesh(options, *format, read_scene_noting_3(options.in, options.polygons, streams), streams);
   const Scene scene = changeable(read_scene_noting(options.in, options.polygons, streams));
   const auto* space = std::get_if<Scene3>(&scene);
+  if (const auto format = mesh_format_3(options.out)) {
+    if (space == nullptr)
+      throw InputError({options.in, 0}, "the scene is in the plane (dimension 2); a mesh is in space");
+    return write_as_mesh(options, *format, *space, streams);
+  }
   if (space && !is_binary_scene_name(options.out)) note_lost_planes(*space, streams);
   std::visit([&](const auto& any) { write_as_scene(options, any, streams); }, scene);
 }

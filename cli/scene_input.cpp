@@ -95,31 +95,6 @@ ValidScene read_scene_noting(const std::string& file, const PolygonOptions& opti
   return scene;
 }
 
-ValidScene3 read_scene_noting_3(const std::string& file, const PolygonOptions& options, const Streams& streams) {
-  options.require_sense_for(file);
-  if (is_vs3(file)) return std::get<ValidScene3>(read_scene_noting(file, options, streams));
-  Triangulator3 triangulator;
-  PassedOver passed_over;
-  ValidScene3 scene = read_scene_3(file, options.triangulates ? &triangulator : nullptr, &passed_over);
-  note_passed_over(passed_over, streams);
-  note_cuts(triangulator, streams);
-  return scene;
-}
-
-ValidScene2 read_scene_noting_2(const std::string& file, const PolygonOptions& options, const Streams& streams) {
-  options.require_sense_for(file);
-  if (file == kStandardInput) {
-    ValidScene scene = read_scene_noting(file, options, streams);
-    if (!std::holds_alternative<ValidScene2>(scene))
-      throw InputError({kStandardInputName, 0}, "the scene is in space (dimension 3); this works in the plane");
-    return std::get<ValidScene2>(std::move(scene));
-  }
-  PassedOver passed_over;
-  ValidScene2 scene = read_scene_2(file, &passed_over, options.side());
-  note_passed_over(passed_over, streams);
-  return scene;
-}
-
 void ElementOptions::add_to(CLI::App& command) {
   CLI::Option* element_size = command.add_option(
       "--element-size", size, "divide every edge, or side of a polygon, into equal parts no longer than H");

@@ -46,10 +46,6 @@ inline constexpr const char* kStandardInputName = "standard input";
 // who obey what a deck asks of the output take that; else it is told that they do not.
 ValidScene read_scene_noting(const std::string& file, const PolygonOptions& options, const Streams& streams,
                              DeckOutput3* output = nullptr);
-// The same for those who can use a scene in space only.
-ValidScene3 read_scene_noting_3(const std::string& file, const PolygonOptions& options, const Streams& streams);
-// The same for those who can use a scene in the plane only.
-ValidScene2 read_scene_noting_2(const std::string& file, const PolygonOptions& options, const Streams& streams);
 // Tells what was passed over, if anything was.
 void note_passed_over(const PassedOver& passed_over, const Streams& streams);
 // Tells which polygons were cut, if any were.

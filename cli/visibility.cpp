@@ -64,9 +64,6 @@ Point2 point(const std::string& text) {
 Simulation2 simulation_of(ValidScene2 scene) {
   return Simulation2(std::move(scene), {.granularity = Granularity::kFace});
 }
-Simulation2 simulation_of(const VisibilityOptions& options, const Streams& streams) {
-  return simulation_of(read_scene_noting_2(options.scene, options.polygons, streams));
-}
 
 // Light at one point is that of the whole scene, solved.
 PointLight2 light_unless_left_out(const VisibilityOptions& options, const Simulation2& simulation,
@@ -268,7 +265,10 @@ ExitCode from_points(const VisibilityOptions& options, Streams& streams) {
   if (options.pieces) throw UsageError("--pieces are for what points in space see; these are in the plane");
   const PolygonRequest request = polygon_request(options, text, name);
   note_passed_over(request.passed_over, streams);
-  const Simulation2 simulation = simulation_of(options, streams);
+  ValidScene scene = read_scene_noting(options.scene, options.polygons, streams);
+  if (std::holds_alternative<ValidScene3>(scene))
+    throw InputError({name, 0}, "points have two coordinates, and " + options.scene + " is in space: give x,y,z");
+  const Simulation2 simulation = simulation_of(std::get<ValidScene2>(std::move(scene)));
   const auto prepared = simulation.prepared(streams.stages());
   std::optional<PointLights2> lights;
   if (options.irradiance) lights.emplace(point_lights(simulation, streams.stages()));

@@ -21,14 +21,8 @@
 namespace hottel {
 namespace {
 
-constexpr const char* kInThePlaneOnly = "the scene is in space (dimension 3); this command works in the plane";
-constexpr const char* kInSpaceOnly = "the scene is in the plane (dimension 2); this command works in space";
-// What is there in space.
-constexpr const char* kDoneInSpace =
-    "in space all commands work but for `hottel visibility` with --edge or points x,y: it takes --at X,Y,Z (what a "
-    "point "
-    "sees), --points (lines x,y,z), --on NAME --at S,T (a point of a face), --from A --to B (what two faces exchange), "
-    "--face NAME, --graph, and --events between two faces";
+constexpr const char* kInThePlaneOnly = "the scene is in space (dimension 3); one in the plane is wanted";
+constexpr const char* kInSpaceOnly = "the scene is in the plane (dimension 2); one in space is wanted";
 
 // The value of a member of the scene, one of those allowed.
 JsonValue version(const JsonValue& root, std::string_view key, std::initializer_list<const char*> allowed) {
@@ -58,7 +52,7 @@ ValidScene parse(std::string_view text, const std::string& name, const TextSourc
     if (wanted == 3) refuse(dimension, kInSpaceOnly);
     return read_document_2(root, name);
   }
-  if (wanted == 2) refuse(dimension, kInThePlaneOnly, {kDoneInSpace});
+  if (wanted == 2) refuse(dimension, kInThePlaneOnly);
   return read_document_3(root, name, files, triangulator, passed_over);
 }
 
@@ -74,7 +68,7 @@ void require_plane(const Reading& reading, const std::string& name) {
   if (reading.wanted == 3) throw InputError({name, 0}, kInSpaceOnly);
 }
 void require_space(const Reading& reading, const std::string& name) {
-  if (reading.wanted == 2) throw InputError({name, 0}, kInThePlaneOnly, {kDoneInSpace});
+  if (reading.wanted == 2) throw InputError({name, 0}, kInThePlaneOnly);
 }
 
 void require_wanted(const ValidScene& scene, const Reading& reading, const std::string& name) {

@@ -55,26 +55,18 @@ TEST(Space, EventsAreWrittenAsTableAndForParaView) {
   EXPECT_THAT(place.read("events.vtp"), HasSubstr("<VTKFile type=\"PolyData\""));
 }
 
-TEST(Space, CommandsOfThePlaneRefuseItWithThreeAndSayWhatWorks) {
+TEST(Space, PointsOfThePlaneAreRefusedByTheirFile) {
   const Workplace place;
   place.write("room.json", contents(scene_file("cube.json")));
   place.write("room.obj", kTriangle);
   place.write("p.csv", "x,y\n1,1\n");
   const std::vector<std::string> before = place.files();
-  for (const char* command : {"visibility S --points p.csv"})
-    for (const char* scene : {"room.json", "room.obj"}) {
-      std::string line = std::string("hottel ") + command;
-      line.replace(line.find('S'), 1, scene);
-      const Outcome outcome = place.run(line);
-      EXPECT_EQ(outcome.code, 3) << line << "\n" << outcome.err;
-      EXPECT_EQ(outcome.out, "") << line;
-      const std::vector<std::string> lines = lines_of(outcome.err);
-      ASSERT_EQ(lines.size(), 2u) << line << "\n" << outcome.err;
-      EXPECT_EQ(lines[0], std::string(scene) + (scene == std::string("room.json") ? ":3" : "") +
-                              ": the scene is in space (dimension 3); this command works in the plane")
-          << line;
-      EXPECT_THAT(lines[1], HasSubstr("in space all commands work but for `hottel visibility` with ")) << line;
-    }
+  for (const std::string scene : {"room.json", "room.obj"}) {
+    const Outcome outcome = place.run("hottel visibility " + scene + " --points p.csv");
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err, "p.csv: points have two coordinates, and " + scene + " is in space: give x,y,z\n");
+  }
   EXPECT_EQ(place.files(), before);
 }
 

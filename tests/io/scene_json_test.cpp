@@ -246,7 +246,7 @@ TEST(SceneJson, RefusesOtherVersionsAndDimensions) {
   EXPECT_EQ(refusal("{\"hottel\": 1,\n \"dimension\": 4}"),
             "scene.json:2: dimension is '4'; this version reads 2 and 3");
   EXPECT_EQ(refusal("{\"hottel\": 1,\n \"dimension\": 3\n}"),
-            "scene.json:2: the scene is in space (dimension 3); this command works in the plane");
+            "scene.json:2: the scene is in space (dimension 3); one in the plane is wanted");
 }
 
 TEST(SceneJson, RefusesWrongTypes) {
@@ -309,7 +309,7 @@ TEST(SceneJson, RefusesMaterialsOutOfRange) {
   EXPECT_EQ(material("\"reflectivity\": [0, 1, -1e-300]"),
             "scene.json:2: material 'm': reflectivity must be from 0 to 1");
   EXPECT_EQ(material("\"reflectivity\": [0, 1]"),
-            "scene.json:2: material 'm': reflectivity must have three values, r, g and b");
+            "scene.json:2: material 'm': reflectivity is one number or a list of three, r, g and b, not of 2");
   EXPECT_EQ(material("\"emission\": -1"), "scene.json:2: material 'm': emission must not be negative");
   EXPECT_EQ(material("\"emissivity\": \"4/3\""), "scene.json:2: material 'm': emissivity must be from 0 to 1");
   EXPECT_EQ(material("\"emissivity\": 1, \"temperature\": -1"),
@@ -317,8 +317,7 @@ TEST(SceneJson, RefusesMaterialsOutOfRange) {
   EXPECT_EQ(material("\"temperature\": 1"), "scene.json:2: material 'm' has a temperature but no emissivity");
   for (const char* a : {"\"reflectivity\": 0", "\"emission\": 0"})
     for (const char* b : {"\"emissivity\": 0", "\"temperature\": 0"})
-      EXPECT_EQ(material(std::string(a) + ", " + b),
-                "scene.json:2: material 'm' has both reflectivity or emission and emissivity or temperature");
+      EXPECT_EQ(material(std::string(a) + ", " + b), "scene.json:2: material 'm' mixes two ways to say what it emits");
   EXPECT_EQ(refusal(scene_with("\"sky\": {\"emission\": -1}")), "scene.json:3: sky: emission must not be negative");
   EXPECT_EQ(refusal("{\"hottel\": 1, \"dimension\": 2, \"materials\": {\"\": {}}}"),
             "scene.json:1: the name of a material must not be empty");

@@ -175,7 +175,7 @@ TEST(SceneJson3, RefusesWrongCameras) {
   EXPECT_EQ(parse(with_camera(good)).camera, (Camera3{{0, 0, 0}, {1, 0, 0}}));
   EXPECT_EQ(refusal(with_camera(R"("eye": [0, 0, 0])")), "in/scene.json:3: camera has no \"target\"");
   EXPECT_EQ(refusal(with_camera(R"("target": [0, 0, 0])")), "in/scene.json:3: camera has no \"eye\"");
-  EXPECT_THAT(refusal(with_camera(good + ", \"up\": [2, 0, 0]")), HasSubstr("up is zero or parallel"));
+  EXPECT_THAT(refusal(with_camera(good + ", \"up\": [2, 0, 0]")), HasSubstr("it looks along \"up\""));
   EXPECT_THAT(refusal(with_camera(good + ", \"pixels\": [0, 5]")), HasSubstr("camera: pixels must be an integer"));
   EXPECT_THAT(refusal(with_camera(good + ", \"pixels\": [5]")), HasSubstr("two numbers, width and height"));
   EXPECT_THAT(refusal(with_camera(good + ", \"zoom\": 2")), HasSubstr("unknown key 'zoom'"));
@@ -343,14 +343,13 @@ TEST(SceneJson3, RefusesWrongMeshes) {
 TEST(SceneJson3, KeepsTheDimensionsApart) {
   const std::string plane = "{\"hottel\": 1,\n\"dimension\": 2}",
                     space = "{\"hottel\": 1,\n\"dimension\": 3, \"mesh\": 7}";
-  EXPECT_EQ(refusal(plane), "in/scene.json:2: the scene is in the plane (dimension 2); this command works in space");
+  EXPECT_EQ(refusal(plane), "in/scene.json:2: the scene is in the plane (dimension 2); one in space is wanted");
   try {
     parse_scene_2(space, "s.json");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "s.json:2: the scene is in space (dimension 3); this command works in the plane");
-    ASSERT_EQ(error.hints().size(), 1u);
-    EXPECT_THAT(error.hints()[0], HasSubstr("all commands work but for `hottel visibility` with --edge "));
+    EXPECT_STREQ(error.what(), "s.json:2: the scene is in space (dimension 3); one in the plane is wanted");
+    EXPECT_TRUE(error.hints().empty());
   }
   EXPECT_TRUE(std::holds_alternative<ValidScene2>(parse_scene(plane, "s.json")));
   EXPECT_TRUE(std::holds_alternative<ValidScene3>(parse_scene("{\"hottel\": 1, \"dimension\": 3}", "s.json")));
