@@ -63,10 +63,12 @@ ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const
                              [&](const Element& element) { return former_name(repair, element); });
   const RepairReport report{&repair.steps, changes ? &*changes : nullptr};
   out.write(text, is_anything_done(repair.steps));
-  streams.write("", options.json ? check_json(*repaired, after->findings, &report)
-                                 : repair_text(*scene, report) + check_text(*repaired, after->findings));
+  const Scene2& told = out.is_left() ? *scene : *repaired;  // of the file that is there, its lines
+  const SceneCheck2& found = out.is_left() ? *before : *after;
+  streams.write("", options.json ? check_json(told, found.findings, &report)
+                                 : repair_text(*scene, report) + check_text(told, found.findings));
   out.commit(streams);
-  return exit_code(*after);
+  return exit_code(found);
 }
 
 ExitCode check_in_plane(const CheckCommandOptions& options, const Rational& distance, const ValidScene2& scene,

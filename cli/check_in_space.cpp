@@ -71,10 +71,13 @@ ExitCode check_in_space(const ValidScene3& scene, const std::string& file, const
   if (mesh)
     with_file_context(file,
                       [&] { write_repaired(fix, *mesh, *repaired, is_anything_done(repair.steps), file, streams); });
-  streams.write("", as_json ? check_json(*repaired, after.findings, &report)
-                            : repair_text(*scene, report) + check_text(*repaired, after.findings));
+  const bool is_left = out && out->is_left();
+  const Scene3& told = is_left ? *scene : *repaired;  // of the file that is there, its lines
+  const SceneCheck3& found = is_left ? before : after;
+  streams.write("", as_json ? check_json(told, found.findings, &report)
+                            : repair_text(*scene, report) + check_text(told, found.findings));
   if (out) out->commit(streams);
-  return exit_code(after);
+  return exit_code(found);
 }
 
 }  // namespace hottel

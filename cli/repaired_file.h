@@ -28,6 +28,9 @@ class RepairedFile {
     out_.finish();
   }
 
+  // Whether the scene stays as it is, where it would be overwritten by one that is not repaired.
+  bool is_left() const { return is_input_ && !is_written_; }
+
   void commit(const Streams& streams) {
     if (is_written_) out_.commit();
     if (is_input_)

@@ -90,7 +90,7 @@ std::string repair_text(const SceneTable& scene, const RepairReport& repair) {
     const FileLine where = surface ? place_of(scene, scene.surfaces[*surface]) : FileLine{scene.file};
     text += fmt::format("{}: {}: {}\n", where.text(), step.kind, step.message);
   }
-  if (repair.steps->empty()) text += scene.file + ": there was nothing to repair\n";
+  if (repair.steps->empty()) text += scene.file + ": nothing was repaired\n";
   if (repair.changes == nullptr) return text;
   text += "from,to,before,after\n";
   const auto number = [](const std::optional<double>& value) { return value ? shortest(*value) : std::string(); };

@@ -136,7 +136,7 @@ TEST(CheckInSpace, FixJoinsWhatSixDigitsParted) {
 
   EXPECT_EQ(Json::parse(place.run("hottel check t.json --json").out)["findings"], report["findings"]);
   EXPECT_THAT(place.run("hottel check t.json --fix u.json --within 1e-5").out,
-              StartsWith("t.json: there was nothing to repair\n"));
+              StartsWith("t.json: nothing was repaired\n"));
   EXPECT_EQ(place.read("u.json"), place.read("t.json"));
 }
 

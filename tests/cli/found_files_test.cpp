@@ -261,7 +261,7 @@ TEST(FoundFiles, BodiesInsideOutAreToldAndTurned) {
   // It may be a furnace: nothing is outside, or it is promised; a light in it makes it a room.
   place.write("furnace.json", kHeat + "}");
   const Outcome furnace = place.run("hottel check furnace.json --fix same.json");
-  EXPECT_THAT(furnace.out, HasSubstr("furnace.json: there was nothing to repair\n"));
+  EXPECT_THAT(furnace.out, HasSubstr("furnace.json: nothing was repaired\n"));
   EXPECT_THAT(furnace.out, HasSubstr("warning: inside-out"));
   place.write("promise.json", kHeat + R"(, "closed": true, "sky": {"temperature": 250}})");
   EXPECT_THAT(place.run("hottel check promise.json").out, Not(HasSubstr("inside-out")));
@@ -323,7 +323,7 @@ TEST(FoundFiles, ALeakIsWhereTheGapIsWidest) {
   const std::string first = lines_of(outcome.out).at(0);
   EXPECT_THAT(first, HasSubstr("error: not-closed at (2, 0, 2"));
   EXPECT_THAT(first, HasSubstr("lies on nothing, and '"));
-  EXPECT_THAT(first, HasSubstr("is 0.001 away"));
+  EXPECT_THAT(first, HasSubstr("is 0.001 away from its middle"));
   EXPECT_THAT(first, HasSubstr("'door'"));
   EXPECT_THAT(first, Not(HasSubstr("edge of 'lamp'")));
 }

@@ -81,14 +81,14 @@ TEST(Solids, FixSaysSolidAndNothingIsLeftToWarnOf) {
   EXPECT_THAT(outcome.out, StartsWith("s.json:5: solid: 'box' says \"behind\": \"solid\" now\nfrom,to,before,after\n"));
   EXPECT_THAT(outcome.out, HasSubstr("0 errors, 0 warnings"));
   EXPECT_THAT(place.read("t.json"), HasSubstr("\"behind\": \"solid\""));
-  EXPECT_THAT(place.run("hottel check t.json --fix u.json").out, StartsWith("t.json: there was nothing to repair"));
+  EXPECT_THAT(place.run("hottel check t.json --fix u.json").out, StartsWith("t.json: nothing was repaired"));
   EXPECT_EQ(place.read("u.json"), place.read("t.json"));
 }
 
 TEST(Solids, FixClosesAGapFirstAndThenSaysSolid) {
   const Workplace place;
   place.write("s.json", scene(R"("points": [[2,0.0001],[2,1],[1,1],[1,0]])"));
-  EXPECT_THAT(place.run("hottel check s.json --fix t.json").out, StartsWith("s.json: there was nothing to repair"));
+  EXPECT_THAT(place.run("hottel check s.json --fix t.json").out, StartsWith("s.json: nothing was repaired"));
   const Outcome outcome = place.run("hottel check s.json --json --fix t.json --within 0.001");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   std::vector<std::string> kinds;

@@ -88,7 +88,8 @@ class GapFinder {
     std::string text =
         fmt::format("{} of {} from {} to {} lies on nothing", meshes_.bare.size() == 1 ? "the edge" : "an edge",
                     name(own), place_text(edge.from), place_text(edge.to));
-    if (nearest != own) text += fmt::format(", and {} is {:.3g} away", name(nearest), width);
+    if (nearest != own)
+      text += fmt::format("; the nearest other surface, {}, is {:.3g} away from its middle", name(nearest), width);
     found_.push_back({{at, width, std::move(text)}, sky_from(at, std::nullopt)});
   }
 
