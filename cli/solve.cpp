@@ -94,6 +94,7 @@ Request request_of(const SolveOptions& options) {
   request.shown = shown_of(options);
   require_picture_of_faces(options, request.shown);
   request.wants_picture = !options.no_picture && (asked.wants_light || !request.shown.is_light());
+  asked.wants_picture = request.wants_picture;
   if (request.wants_picture && request.shown.is_light())
     asked.painter = light_painter_2(light_picture_2(options), PictureFormat::kPng);
   request.directory = output_folder(options.out, options.scene);

@@ -293,7 +293,8 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene, 
                    .grid_cells = cells_of(grids),
                    .is_average = options.illumination == "average",
                    .is_gathered = options.shading == "gathered" && !options.no_picture,
-                   .texels = texels}};
+                   .texels = texels,
+                   .has_picture = !options.no_picture}};
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ struct PlanRequest {
   bool is_average = false;        // the illumination is that of cells, not of their centres
   bool is_gathered = false;       // in space: the light of the picture is gathered
   std::uint64_t texels = 0;       // in space: points of a face at which light is gathered beside
+  bool has_picture = true;        // a picture is drawn; in the plane of the light where there are cells, else of faces
   friend bool operator==(const PlanRequest&, const PlanRequest&) = default;
 };
 

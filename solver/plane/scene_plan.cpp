@@ -78,8 +78,9 @@ Plan plan_scene(const PreparedScene2& prepared, const PlanRequest& request) {
                      (n > 0 ? 2 * pairs / n * halves : 0) * kSecondsPerPlainPair);
   draft.add(Plan::kIllumination, request.grid_cells > 0, counted(request.grid_cells, "cell"), "no grid is asked for",
             cells * (kSecondsPerCell + seen * kSecondsPerCellAndSeen) * (request.is_average ? kTimesOfAnAverage : 1));
-  draft.add_as_asked(Plan::kPicture, request.grid_cells > 0, "the light in the rooms", "no grid is asked for",
-                     request.grid_cells > 0 ? pixels_of(request) * kSecondsPerPixel : 0);
+  draft.add_as_asked(Plan::kPicture, request.has_picture,
+                     request.grid_cells > 0 ? "the light in the rooms" : "values of faces", "no picture is asked for",
+                     request.has_picture && request.grid_cells > 0 ? pixels_of(request) * kSecondsPerPixel : 0);
   draft.add_lights(n * kSecondsPerShare);
   draft.add_movement(has_moving_lights(scene));
   return draft.take();

@@ -120,8 +120,10 @@ void add_picture(const Scene3& scene, const PlanRequest& request, std::uint64_t 
   const double points = std::min(kGatheredPoints * std::pow(pixels, kPowerOfPixels), kMostGathered * pixels);
   const double gathered = request.is_gathered ? points * seconds_per_gathered(scene, rows) : 0;
   const std::string who = scene.camera ? "what the camera sees" : "what a camera chosen for the scene sees";
-  draft.add(Plan::kPicture, !scene.surfaces.empty(), who + (request.is_gathered ? ", its light gathered" : ""),
-            "the scene is empty", pixels * kSecondsPerPixel + gathered);
+  const bool has_any = request.has_picture && !scene.surfaces.empty();
+  draft.add_as_asked(Plan::kPicture, has_any, who + (request.is_gathered ? ", its light gathered" : ""),
+                     request.has_picture ? "the scene is empty" : "no picture is asked for",
+                     has_any ? pixels * kSecondsPerPixel + gathered : 0);
 }
 
 // Light between the faces, and on them. seconds_per_row: what the factors of a row take.

@@ -481,7 +481,9 @@ Simulation2::Version::Version(ScenePtr its_scene, SimulationRequest2 its_request
 }
 
 PlanRequest Simulation2::Version::plan_request() const {
-  PlanRequest result{.everything = request.everything, .is_average = request.light == LightKind2::kAverage};
+  PlanRequest result{.everything = request.everything,
+                     .is_average = request.light == LightKind2::kAverage,
+                     .has_picture = request.wants_picture};
   if (!request.wants_light) return result;
   const bool is_of_one = request.grid || scene->grids.empty();
   for (const Grid2& each : is_of_one ? std::vector{grid} : scene->grids) {

@@ -66,6 +66,7 @@ struct SimulationRequest2 {
   std::optional<double> until = {};
   std::optional<Grid2> grid = {};  // nothing: default_grid(scene); the plan then counts all grids of the scene
   bool wants_light = true;         // whether plan() counts light; light() computes it anyway
+  bool wants_picture = true;       // whether plan() counts a picture
   LightKind2 light = LightKind2::kPoint;
   LightTest lights = LightTest::kExact;  // how elements are lit by the scene's lights; light in the rooms stays exact
   bool keeps_rows = false;  // what the cells see is kept: light after an edit of materials needs no further look

@@ -88,7 +88,8 @@ TEST(Plan, OnSeveralThreadsTakesLess) {
 // A picture of the light where there is light to draw.
 TEST(Plan, ReckonsWithThePictureOfAGrid) {
   EXPECT_TRUE(plan_scene(prepare(convex_polygon(5)), {.everything = false, .grid_cells = 4}).uses(Plan::kPicture));
-  EXPECT_FALSE(plan_scene(prepare(convex_polygon(5)), {}).uses(Plan::kPicture));
+  EXPECT_TRUE(plan_scene(prepare(convex_polygon(5)), {}).uses(Plan::kPicture));  // of values of faces
+  EXPECT_FALSE(plan_scene(prepare(convex_polygon(5)), {.grid_cells = 4, .has_picture = false}).uses(Plan::kPicture));
 }
 
 TEST(Plan, WithoutInterreflectionSolvesNothing) {
