@@ -4,6 +4,7 @@
 #include "cli/command.h"
 #include "io/results/store_report.h"
 #include "io/store/factor_store.h"
+#include "kernel/support/counted.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -21,6 +22,8 @@ ExitCode store(const StoreOptions& options, Streams& streams) {
   const StoreContents contents = store_contents(options.file, options.check);
   streams.write("", options.json ? contents_json(options.file, contents, options.check)
                                  : contents_text(options.file, contents, options.check));
+  if (options.shrink && contents.bytes > *options.shrink)
+    streams.note(options.file + ": without rows it takes " + counted(contents.bytes, "byte") + ", and never less");
   if (!contents.damage.empty())
     throw InputError({options.file, 0}, "is damaged: " + contents.damage.front(),
                      {"what is damaged is computed again where it is asked for; it is never taken"});

@@ -17,7 +17,7 @@ std::optional<std::uint64_t> free_space(const std::filesystem::path& file) {
   do place = fs::absolute(place, error).parent_path();
   while (!error && !fs::exists(place, error) && place.has_relative_path());
   const fs::space_info space = fs::space(place, error);
-  if (error) return std::nullopt;
+  if (error || space.capacity == 0) return std::nullopt;  // /proc and the like hold no files
   return space.available;
 }
 

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <thread>
 #include <utility>
 
@@ -62,6 +63,9 @@ bool require_store(const std::string& file, MayCreate may_create) {
   if (::stat(file.c_str(), &status) != 0) {
     if (errno != ENOENT) throw OutputError(file, "cannot be written: " + std::string(std::strerror(errno)));
     if (may_create == MayCreate::kNo) refuse("there is no such file");
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    if (::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
+      throw OutputError(file, "cannot be written: " + std::string(std::strerror(errno)));
     return false;
   }
   if (S_ISDIR(status.st_mode)) refuse("is a directory, not a store of factors");
