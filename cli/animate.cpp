@@ -219,8 +219,9 @@ std::string summary(const FramesMade& made, std::uint32_t frames, std::uint32_t 
   if (were_there > 0) text += fmt::format(", {} of them there before", were_there);
   text += least == most ? fmt::format("; {} active elements\n", most)
                         : fmt::format("; {} to {} active elements\n", least, most);
-  text += fmt::format("factors: {} pairs computed, {} taken from what was kept; {} {} computed none\n", all.computed,
-                      all.read, without_work, without_work == 1 ? "frame" : "frames");
+  if (were_there == frames) text += "nothing was computed by this run; when these frames were made:\n";
+  text += fmt::format("factors: {} pairs computed, {} taken from what was kept", all.computed, all.read);
+  text += without_work == 0 ? "\n" : fmt::format("; none were computed for {}\n", counted(without_work, "frame"));
   if (defect > 0) text += fmt::format("rows sum to 1 within {:.2g} as they were computed\n", defect);
   text += fmt::format("radiosities: {:.3g} s in all, {:.3g} s at most for a frame\n", all.seconds, longest);
   text += "\nin " + folder.string() + ":";

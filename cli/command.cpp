@@ -80,6 +80,17 @@ std::vector<std::string> option_hints(const std::string& option, const CLI::App&
   return {};
 }
 
+// "--fix: 1 required OUT missing" and "--elements: At Most 1 required but received 2" in plain words.
+std::string told(const CLI::ArgumentMismatch& mismatch) {
+  const std::string text = mismatch.what(), option = text.substr(0, text.find(':'));
+  if (text.ends_with(" missing")) {
+    const std::size_t begin = text.find(" required ");
+    const std::string value = text.substr(0, text.size() - 8).substr(begin + 10);
+    return option + " wants a value: " + option + " " + value;
+  }
+  return text.find("At Most 1") != std::string::npos ? option + " is given more than once" : text;
+}
+
 std::string after_colon(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return "hottel: " + text;
@@ -223,6 +234,7 @@ ExitCode Commands::parse_and_run(int argc, const char* const* argv) {
     const std::string name = chosen.empty() ? "hottel" : "hottel " + command.get_name();
     std::string message = error.what();
     if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && chosen.empty()) message = "no command is given";
+    if (const auto* const mismatch = dynamic_cast<const CLI::ArgumentMismatch*>(&error)) message = told(*mismatch);
     std::vector<std::string> hints;
     if (auto extras = program_.remaining(true);
         !extras.empty() && (chosen.empty() || dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)) {

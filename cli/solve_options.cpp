@@ -20,7 +20,9 @@ Solver solver_of(const SolveOptions& options, bool has_symmetric_rows) {
   if (!solver) {
     std::vector<std::string> known;
     for (int k = 0; k <= static_cast<int>(Solver::kShooting); ++k) known.push_back(to_string(static_cast<Solver>(k)));
-    throw UnknownName("there is no solver called '" + options.solver + "'", options.solver, known);
+    throw UnknownName(
+        fmt::format("there is no solver called '{}'; there are {}", options.solver, fmt::join(known, ", ")),
+        options.solver, known);
   }
   if (!options.iterations && !options.until) return *solver;
   if (*solver == Solver::kCholesky || *solver == Solver::kLu)

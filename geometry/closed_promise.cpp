@@ -10,7 +10,7 @@ namespace hottel {
 void refuse_promise(const SceneTable& scene, const Element& element, std::optional<double> factor) {
   const Surface& surface = scene.surfaces[element.surface];
   throw RequestError(fmt::format("{}: the scene promises to be closed, but the front of '{}' sees the sky{}",
-                                 place_of(scene, surface).text(), element.is_part() ? surface.name : element.name,
+                                 place_of(scene, surface).text(), element.name,
                                  factor ? fmt::format(" (F = {})", shortest(*factor)) : ""));
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "kernel/support/counted.h"
 #include "solver/radiosity/gray_exchange.h"
 
 namespace hottel {
@@ -29,7 +30,7 @@ std::string gray_text(const GrayReport& report) {
       report.guarantee == Guarantee::kEstimated
           ? "as good as the view factors, some of which are estimated"
           : fmt::format("bounds for these elements within {:.1e} of the value", report.max_relative_width);
-  return fmt::format("script-F of {} pairs, {}; {:.3f} s", report.pairs, proven, report.seconds);
+  return fmt::format("script-F of {}, {}; {:.3f} s", counted(report.pairs, "pair"), proven, report.seconds);
 }
 
 }  // namespace hottel

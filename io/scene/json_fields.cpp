@@ -91,7 +91,9 @@ Rational read_number(const JsonValue& value, const Subject& subject) {
 
 Spectrum read_spectrum(const JsonValue& value, const Subject& subject) {
   if (value.kind() != JsonKind::kArray) return Spectrum::scalar(read_number(value, subject));
-  if (value.size() != 3) refuse(value, subject.text() + " must have three values, r, g and b");
+  if (value.size() != 3)
+    refuse(value,
+           subject.text() + " is one number or a list of three, r, g and b, not of " + std::to_string(value.size()));
   Spectrum result;
   result.is_scalar = false;
   std::size_t channel = 0;

@@ -65,7 +65,7 @@ Material read_material(const JsonValue& key, const JsonValue& value, Words& word
     return material;
   }
   if ((reflectivity || emission) && (emissivity || temperature))
-    refuse(value, owner + " has both reflectivity or emission and emissivity or temperature",
+    refuse(value, owner + " mixes two ways to say what it emits",
            {"give either reflectivity and emission, or emissivity and temperature"});
   if (flux && (reflectivity || emission))
     refuse(value, owner + " has a flux beside reflectivity or emission", {"a flux goes with an emissivity alone"});

@@ -163,7 +163,8 @@ DividingEstimate estimate_dividing(const SolvedElements& solved, std::uint32_t m
     return estimate;
   }
   if (!sights) {
-    estimate.why_no_pointwise = "the factors are not exact: what parts gather by exact ones tells errors of both";
+    estimate.why_no_pointwise =
+        "the factors are approximate, and their errors could not be told from those of the size of elements";
   } else {
     try {
       const std::vector<SampledElement> samples = elements_to_look_at(solved, most);

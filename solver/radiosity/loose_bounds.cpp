@@ -49,7 +49,7 @@ std::vector<std::string> notes_of_loose_bounds(const ExchangeMatrix& matrix, con
     if (solution.channels.size() > 1) note += fmt::format(" ({})", solution.channel_names[c]);
     const std::size_t named = std::min(faint.size(), kMostNamed);
     for (std::size_t k = 0; k < named; ++k)
-      note += fmt::format("{} '{}' is known within {:.2g} of itself", k == 0 ? ":" : ",",
+      note += fmt::format("{} the bounds of '{}' are {:.2g} times its value apart", k == 0 ? ":" : ",",
                           matrix.elements()[faint[k].element].name, faint[k].width);
     if (named < faint.size()) note += fmt::format(" and {} more", faint.size() - named);
     notes.push_back(note);

@@ -45,7 +45,7 @@ TEST(MeshConvert, WhatAMeshDoesNotHoldIsTold) {
             "materials that are not in the file: 'm', 'n'\n"
             "backs that are not in the file: of 'w'\n"
             "names that are not in the file, its faces are NAME[k]: 'w'\n"
-            "also not in the file: the sky\n");
+            "not kept in the file: the sky\n");
   const Outcome stl = place.run("hottel convert third.json a.stl");
   EXPECT_EQ(stl.code, 0);
   EXPECT_THAT(stl.err, StartsWith("2 of 9 coordinates are no floats and are rounded to floats; the worst is off by "));

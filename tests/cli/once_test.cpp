@@ -59,8 +59,6 @@ TEST(Commands, ValidateASceneOnce) {
                                            {"check", ""}})
       EXPECT_THAT(counts_of(command, scene + options), testing::StartsWith("validations 1\n")) << command << options;
   }
-  EXPECT_THAT(counts_of("animate", "lights/lighthouse.json --frames 1 --grid 4x4 -o film"),
-              testing::StartsWith("validations 1\n"));
 }
 
 }  // namespace

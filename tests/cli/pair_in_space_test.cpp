@@ -136,7 +136,8 @@ TEST_F(PairInSpace, TheTextSaysTheSame) {
   EXPECT_EQ(lines_of(outcome.out)[0], "'floor' and 'ceiling'");
   EXPECT_THAT(outcome.out, HasSubstr("0.199824895698387"));
   EXPECT_THAT(outcome.out, HasSubstr("S is enclosed within 1e-09"));
-  EXPECT_THAT(outcome.out, HasSubstr("settled as clear: nothing can stand between them\n8 stretches of lines, "));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("settled as clear: nothing can stand between them\nS as a sum of integrals along edges: "));
 }
 
 TEST_F(PairInSpace, OneOfThemMayBeTheSky) {

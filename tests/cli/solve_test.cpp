@@ -158,13 +158,14 @@ TEST(Solve, EstimatesWhatDividingWouldChange) {
   EXPECT_TRUE(report["seconds"].contains("dividing"));
 
   const Outcome whole = place.run(solve);
-  EXPECT_THAT(whole.err, HasSubstr("no estimate of means: 'bottom' is one element"));
+  EXPECT_THAT(whole.err, HasSubstr("for which pairs of elements are merged: 'bottom' is one element"));
   const auto lone = nlohmann::json::parse(place.read("out/report.json"))["estimate_of_dividing"];
   EXPECT_TRUE(lone["face_means"].is_null());
   EXPECT_EQ(lone["why_no_face_means"], "'bottom' is one element");
 
   const Outcome other = place.run(solve + "--elements 2 --method center");
-  EXPECT_THAT(other.err, HasSubstr("no estimate of radiosities at places: the factors are not exact"));
+  EXPECT_THAT(other.err,
+              HasSubstr("no estimate of how radiosities change within elements: the factors are approximate"));
   EXPECT_EQ(place.run("hottel solve '" + kScenes + "space/cube.json' --elements 2 --no-picture -o out").code, 0);
   const auto cube = nlohmann::json::parse(place.read("out/report.json"))["estimate_of_dividing"];
   EXPECT_EQ(cube["looked_at"], 24);

@@ -31,7 +31,7 @@ std::uint64_t most_pairs(const PreparedScene2& prepared, const ElementTable2& ta
   if (pairs > most)
     throw RequestError("about " + std::to_string(pairs) + " visible pairs need about " +
                        std::to_string(pairs * bytes_per_pair) + " bytes; allowed are " +
-                       std::to_string(request.memory));
+                       std::to_string(request.memory) + ": allow more memory, or take fewer elements");
   return most;
 }
 

@@ -83,7 +83,7 @@ SceneBuilder2& SceneBuilder2::add_material(const std::string& name, const Materi
   if (material_index_.contains(name)) reader.refuse(owner + " is there already");
   if ((is_given(options.reflectivity) || is_given(options.emission)) &&
       (is_given(options.emissivity) || is_given(options.temperature)))
-    reader.refuse(owner + " has both reflectivity or emission and emissivity or temperature",
+    reader.refuse(owner + " mixes two ways to say what it emits",
                   {"give either reflectivity and emission, or emissivity and temperature"});
   if (options.insulated && (is_given(options.reflectivity) || is_given(options.emission) ||
                             is_given(options.emissivity) || is_given(options.temperature) || is_given(options.flux)))

@@ -25,11 +25,12 @@ namespace hottel {
 namespace {
 
 [[noreturn]] void refuse_memory(std::uint64_t count, const char* what, std::uint64_t each, std::uint64_t allowed) {
-  throw RequestError(fmt::format("about {} {} need about {} bytes; allowed are {}", count, what,
-                                 static_cast<double>(count) * static_cast<double>(each) < 1e19
-                                     ? fmt::format("{}", count * each)
-                                     : fmt::format("{:.2g}", static_cast<double>(count) * static_cast<double>(each)),
-                                 allowed));
+  throw RequestError(fmt::format(
+      "about {} {} need about {} bytes; allowed are {}: allow more memory, or take fewer elements", count, what,
+      static_cast<double>(count) * static_cast<double>(each) < 1e19
+          ? fmt::format("{}", count * each)
+          : fmt::format("{:.2g}", static_cast<double>(count) * static_cast<double>(each)),
+      allowed));
 }
 
 // The pairs of so many bytes that the memory holds beside the elements. Throws RequestError where these are too many.

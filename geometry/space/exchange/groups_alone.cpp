@@ -117,8 +117,11 @@ bool GroupsAlone3::is_undisturbed(std::uint32_t i, std::uint32_t j) const {
 }
 
 void GroupsAlone3::refuse(std::uint32_t i, std::uint32_t j, const std::string& problem) const {
-  throw RequestError("the visibility of '" + table_.elements()[i].name + "' and '" + table_.elements()[j].name +
-                     "' cannot be told, for what they exchange when alone cannot: " + problem);
+  throw RequestError(
+      "the visibility of '" + table_.elements()[i].name + "' and '" + table_.elements()[j].name +
+      "' is not known: S0, what they would exchange with nothing between them, was not measured within the "
+      "tolerance (" +
+      problem + "); take a wider one");
 }
 
 GroupsAlone3::Measure GroupsAlone3::measure(std::uint32_t i, std::uint32_t j) const {

@@ -9,7 +9,9 @@ namespace hottel {
 std::string camera_problem(const Camera3& camera) {
   const Vector3 view = camera.target - camera.eye;
   if (view.is_zero()) return "eye and target are one point";
-  if (cross(view, camera.up).is_zero()) return "up is zero or parallel to the direction of view";
+  if (cross(view, camera.up).is_zero())
+    return "it looks along \"up\", which is [0, 0, 1] where none is given, or \"up\" is zero: give another, such as "
+           "[0, 1, 0]";
   if (camera.field_of_view <= 0 || camera.field_of_view >= 180)
     return "field_of_view must be greater than 0 and less than 180 degrees";
   const auto is_count = [](std::uint32_t pixels) { return pixels >= 1 && pixels <= kMaxPixels; };

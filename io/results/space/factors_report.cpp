@@ -86,7 +86,7 @@ std::string factors_text(const FactorsReport3& report) {
                             shortest(report.tolerance));
   text += fmt::format(
       "; rows sum to 1 within {:.1e}\n"
-      "patches that are hidden from each other: {}, clear: {}, with something between: {}; {:.3f} s",
+      "pairs of flat pieces: {} hidden from each other, {} with nothing between, {} with something between; {:.3f} s",
       counts.max_defect, counts.hidden, counts.clear, counts.mixed, seconds);
   if (counts.proof.parts + counts.proof.failures > 0)
     text += fmt::format(

@@ -115,15 +115,18 @@ struct Draft {
 
 std::string counts_text(const PairReport3& report) {
   if (report.stretches.empty())
-    return report.looked_at == 0 ? ""
-                                 : fmt::format("{} stretches of lines, nothing seen along any of them; {} maps\n",
-                                               report.looked_at, report.maps);
+    return report.looked_at == 0
+               ? ""
+               : fmt::format("along none of {} stretches of edges is anything seen ({} points looked around from)\n",
+                             report.looked_at, report.maps);
   return fmt::format(
-      "{} stretches of lines, something seen along {} of them, in {} pieces; {} maps, {} nodes\n"
-      "the sum along them is {}, with an estimated error of {}; residual of translation {}, at most {}{}\n",
-      report.looked_at, report.stretches.size(), report.pieces, report.maps, report.nodes,
+      "S as a sum of integrals along edges: {}, with an estimated error of {}; another sum, 0 in theory, is {}, where "
+      "up to "
+      "{} passes{}\n"
+      "{} stretches of edges, something seen along {} of them, in {} pieces; {} points looked around from, {} summed\n",
       shortest(report.along_edges.value), shortest(report.along_edges.error), shortest(report.residual),
-      shortest(report.residual_bound), report.problem.empty() ? "" : ": " + report.problem);
+      shortest(report.residual_bound), report.problem.empty() ? "" : ": " + report.problem, report.looked_at,
+      report.stretches.size(), report.pieces, report.maps, report.nodes);
 }
 
 void add_stretches(const Scene3& scene, const PairReport3& report, Json& json) {

@@ -441,7 +441,7 @@ class MeshWriter3 {
     add(!scene_.expect.empty(), "expectations");
     add(!scene_.about.empty(), "the text about the scene");
     add(!scene_.unit.empty(), "the unit of length");
-    if (!lost.empty()) result_.notes.push_back("also not in the file: " + lost);
+    if (!lost.empty()) result_.notes.push_back("not kept in the file: " + lost);
   }
 
   // Only patches and lost groups change what is solid.

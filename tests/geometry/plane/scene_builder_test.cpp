@@ -168,7 +168,7 @@ TEST(SceneBuilder2, RefusesWhatAFileMayNotSay) {
   EXPECT_EQ(material("m", {.emission = {0, -1, 0}}), "room: material 'm': emission must not be negative");
   EXPECT_EQ(material("m", {.emission = "much"}), "room: material 'm': emission is not a number: 'much'");
   EXPECT_EQ(material("m", {.reflectivity = 0, .emissivity = 1}),
-            "room: material 'm' has both reflectivity or emission and emissivity or temperature");
+            "room: material 'm' mixes two ways to say what it emits");
   EXPECT_EQ(material("m", {.temperature = 300}), "room: material 'm' has a temperature but no emissivity");
   EXPECT_EQ(refusal_by([&] { builder.set_sky(-1); }), "room: sky: emission must not be negative");
   EXPECT_EQ(refusal_by([&] {

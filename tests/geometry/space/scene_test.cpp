@@ -96,8 +96,8 @@ TEST(Scene3, HasACameraThatSeesSomething) {
   const auto with = [](const Camera3& camera) { return refusal([&](Scene3& s) { s.camera = camera; }); };
   EXPECT_EQ(with({{0, 0, 0}, {1, 0, 0}}), "");
   EXPECT_EQ(with({{1, 0, 0}, {1, 0, 0}}), "two.json: camera: eye and target are one point");
-  EXPECT_THAT(with({{0, 0, 0}, {0, 0, -5}}), HasSubstr("up is zero or parallel"));
-  EXPECT_THAT(with({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}), HasSubstr("up is zero or parallel"));
+  EXPECT_THAT(with({{0, 0, 0}, {0, 0, -5}}), HasSubstr("it looks along \"up\""));
+  EXPECT_THAT(with({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}), HasSubstr("it looks along \"up\""));
   EXPECT_THAT(with({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 180}), HasSubstr("field_of_view"));
   EXPECT_THAT(with({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 0}), HasSubstr("field_of_view"));
   EXPECT_THAT(with({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 40, 0, 5}), HasSubstr("from 1 to 16384"));

@@ -172,13 +172,13 @@ TEST(MeshWriter, TellsEachLossOnce) {
         write_mesh_3(scene, format, "").notes,
         ElementsAre("materials that are not in the file: 'red', 'lamp'", "backs that are not in the file: of 'b'",
                     "names that are not in the file, its faces are NAME[k]: 'a', 'b'",
-                    "also not in the file: the sky, the promise \"closed\", the camera, the text about the scene"));
+                    "not kept in the file: the sky, the promise \"closed\", the camera, the text about the scene"));
   EXPECT_THAT(
       write_mesh_3(scene, MeshFormat3::kObj, "m.mtl").notes,
       ElementsAre("materials that are no decimals are rounded to doubles: 'lamp'",
                   "materials that are not in the file: 'red'", "backs that are not in the file: of 'b'",
                   "names that are not in the file, its faces are GROUP[k]: 'a', 'b'",
-                  "also not in the file: the sky, the promise \"closed\", the camera, the text about the scene"));
+                  "not kept in the file: the sky, the promise \"closed\", the camera, the text about the scene"));
 }
 
 TEST(MeshWriter, RefusesWhatTheFormatCannotHold) {

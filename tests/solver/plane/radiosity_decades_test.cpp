@@ -145,7 +145,7 @@ TEST(LightOverManyDecades, IsNotedByNameWhereRelativeAccuracyIsLost) {
   ASSERT_EQ(wide.notes.size(), 1u);
   EXPECT_THAT(wide.notes[0], HasSubstr("relative accuracy is lost in "));
   EXPECT_THAT(wide.notes[0], HasSubstr(" radiosities far below the brightest: '"));
-  EXPECT_THAT(wide.notes[0], HasSubstr("'low' is known within "));
+  EXPECT_THAT(wide.notes[0], HasSubstr("the bounds of 'low' are "));
   for (std::uint32_t i = 0; i < scene.matrix().size(); ++i) {
     const ElementRadiosity &a = narrow.channels[0].elements[i], &b = wide.channels[0].elements[i];
     EXPECT_LE(std::max(a.lower, b.lower), std::min(a.upper, b.upper)) << i;
