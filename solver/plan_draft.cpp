@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "kernel/plain_functions.h"
 #include "kernel/support/counted.h"
 
 namespace hottel {
@@ -71,7 +71,7 @@ void PlanDraft::add_channels() {
 void PlanDraft::add_interreflection(double unknowns, double entries) {
   // Factored, or by conjugate gradients; and the certificate of each unknown. Each channel is solved for itself.
   const double seconds = static_cast<double>(channel_count(scene_)) *
-                         (std::min(std::pow(unknowns, 3) / 3 * 6e-10, entries * 2e-7) + unknowns * 1e-5);
+                         (std::min(same_bits::pow(unknowns, 3) / 3 * 6e-10, entries * 2e-7) + unknowns * 1e-5);
   const bool is_any_taken =
       has_material([](const Material& m) { return m.has_given_flux() && m.thermal(m.emission) < 0; });
   add(Plan::kInterreflection, reflects(),

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -14,9 +15,9 @@ constexpr double kMostOrder = 20, kMostSpread = 0.5;
 
 // (n0^-p - n1^-p) / (n1^-p - n2^-p), which ascends with p.
 double ratio_of(double p, double n0, double n1, double n2) {
-  const double first = std::log(n1 / n0), second = std::log(n2 / n1);
+  const double first = same_bits::log(n1 / n0), second = same_bits::log(n2 / n1);
   if (std::abs(p) < 1e-9) return first / second;
-  return std::expm1(p * first) / -std::expm1(-p * second);
+  return same_bits::expm1(p * first) / -same_bits::expm1(-p * second);
 }
 
 // The smallest and the largest of the orders that there are.
@@ -88,8 +89,8 @@ DivisionOrders division_orders(std::span<const std::uint32_t> divisions, std::sp
   } else if (!values.empty() && result.orders.back() && *result.orders.back() > 0) {
     const std::size_t last = values.size() - 1;
     const double ratio = static_cast<double>(divisions[last]) / divisions[last - 1];
-    result.extrapolated =
-        values[last] + (values[last] - values[last - 1]) / std::expm1(*result.orders[last] * std::log(ratio));
+    result.extrapolated = values[last] + (values[last] - values[last - 1]) /
+                                             same_bits::expm1(*result.orders[last] * same_bits::log(ratio));
   }
   return result;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "kernel/plain_functions.h"
 #include "solver/compare/noise_bias.h"
 #include "solver/compare/samples.h"
 
@@ -51,11 +52,11 @@ GeometricShare geometric_share(const JudgedScene& scene, const JudgedPairs& judg
     if (pair.to == exact.sky()) continue;
     const auto place = scene.place_of(pair.from, pair.to);
     if (!place || !(place->distance > 0)) continue;
-    const auto area = [&](std::uint32_t i) { return std::log(exact.elements()[i].area.value); };
+    const auto area = [&](std::uint32_t i) { return same_bits::log(exact.elements()[i].area.value); };
     const double seen = pair.visibility > 0 ? pair.visibility : 0;
     placed.push_back({&pair,
-                      {std::log(place->distance), 2 * place->from_cosine, 2 * place->to_cosine, area(pair.from),
-                       area(pair.to), 2 * seen, std::log(pair.exact / std::max(seen, 1e-3))},
+                      {same_bits::log(place->distance), 2 * place->from_cosine, 2 * place->to_cosine, area(pair.from),
+                       area(pair.to), 2 * seen, same_bits::log(pair.exact / std::max(seen, 1e-3))},
                       each.rest / std::sqrt(each.variance)});
   }
   // A few errors that are far larger than the others would be all that counts.

@@ -35,15 +35,7 @@ struct WrittenDigits {
 
   // Returns how far a number that prints as `value` may be from it: half a unit of the last place written. Fewer than
   // three places or digits are taken for three. [unit of the value]
-  double rounding(double value) const {
-    if (significant == 0) return relative * std::abs(value);
-    constexpr int kFewest = 3;  // nobody prints fewer; "0.5" alone does not mean 0.45 to 0.55
-    double unit = std::pow(10.0, -std::max(decimals, kFewest));
-    if (value != 0)
-      unit =
-          std::max(unit, std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - std::max(significant, kFewest)));
-    return 0.5 * unit;
-  }
+  double rounding(double value) const;
 };
 
 // What a file of factors tells besides its numbers, laid out as the elements of a scene.

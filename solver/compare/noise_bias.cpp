@@ -12,6 +12,7 @@
 #include <set>
 
 #include "geometry/name.h"
+#include "kernel/plain_functions.h"
 #include "solver/compare/named_factors.h"
 #include "solver/compare/samples.h"
 
@@ -96,7 +97,7 @@ class BiasTests {
   double log_chance(const Sum& sum) const {
     if (sum.error == 0 || !(sum.exact > 0)) return 0;
     const double half = is_symmetric_ ? 0 : std::abs(sum.error) / (3 * rays_);
-    return std::log(2) - sum.error * sum.error / 2 / (sum.variance + half);
+    return std::numbers::ln2 - sum.error * sum.error / 2 / (sum.variance + half);
   }
 
   const JudgedPairs& judged_;
@@ -113,7 +114,7 @@ class BiasTests {
 
 // The chance of `count` or more where `expected` are.
 double poisson_tail(std::size_t count, double expected) {
-  double below = 0, term = std::exp(-expected);
+  double below = 0, term = same_bits::exp(-expected);
   for (std::size_t k = 0; k < count; ++k) {
     below += term;
     term *= expected / static_cast<double>(k + 1);
@@ -272,7 +273,7 @@ NoiseBias BiasTests::run() {
           std::max(sum.variance, sum.own * static_cast<double>(sum.rows) / static_cast<double>(sum.rows - 1));
     // What roundings leave of a sum that is the same in every row is no error.
     if (std::abs(sum.error) <= 1e-12 * sum.exact) sum.error = 0;
-    sum.log_chance = log_chance(sum) + std::log(static_cast<double>(sums_.size()));
+    sum.log_chance = log_chance(sum) + same_bits::log(static_cast<double>(sums_.size()));
   }
   std::stable_sort(sums_.begin(), sums_.end(), [](const Sum& a, const Sum& b) { return a.log_chance < b.log_chance; });
   NoiseBias result;
@@ -280,17 +281,17 @@ NoiseBias BiasTests::run() {
   // What is wrong with all is wrong with the large ones, too.
   if (sums_.front().kind == SumKind::kAll)
     if (const auto all = std::find_if(sums_.begin(), sums_.end(), [](const Sum& sum) { return sum.of == kAllFactors; });
-        all != sums_.end() && all->log_chance < std::log(kBiasLevel))
+        all != sums_.end() && all->log_chance < same_bits::log(kBiasLevel))
       std::rotate(sums_.begin(), all, all + 1);
   result.is_leaky = !is_symmetric_ && is_counter() && rows_.off > 0;
   const double level = result.is_leaky ? kLevelOfLeaky : kBiasLevel;
   std::set<std::uint32_t> told;
   for (const Sum& sum : sums_) {
-    if (sum.log_chance > std::log(level) || result.sums.size() == kMostTold) break;
+    if (sum.log_chance > same_bits::log(level) || result.sums.size() == kMostTold) break;
     if (sum.kind != sums_.front().kind || std::any_of(sum.members.begin(), sum.members.end(),
                                                       [&](std::uint32_t member) { return told.contains(member); }))
       continue;
-    result.sums.push_back({words_of(sum), sum.error / sum.exact, std::exp(sum.log_chance)});
+    result.sums.push_back({words_of(sum), sum.error / sum.exact, same_bits::exp(sum.log_chance)});
     told.insert(sum.members.begin(), sum.members.end());
     if (sum.kind == SumKind::kAll) break;
   }

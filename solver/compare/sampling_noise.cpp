@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/plain_functions.h"
 #include "kernel/support/counted.h"
 #include "solver/compare/samples.h"
 
@@ -28,7 +29,7 @@ constexpr double kLogOfChance = 9.21;  // 1e-4
 constexpr double kDeviationsOfScale = 1.5;
 
 double to_two_digits(double value) {
-  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+  const double unit = same_bits::pow(10, std::floor(same_bits::log10(value)) - 1);
   return std::round(value / unit) * unit;
 }
 
@@ -58,7 +59,7 @@ class NoiseFit {
 
   double scale() const { return scale_; }
   double rays() const { return rays_of(scale_); }
-  double rays_of(double scale) const { return spread_ == RaySpread::kEven ? std::pow(scale, 2.0 / 3) : scale; }
+  double rays_of(double scale) const { return spread_ == RaySpread::kEven ? same_bits::pow(scale, 2.0 / 3) : scale; }
 
   bool is_like_noise() const;
   bool grows_as_scatter() const;
@@ -131,7 +132,7 @@ bool NoiseFit::counts_more() const {
       const bool is_hit = value > judged_.tolerance(value);
       if (is_hit) least = std::min(least, value);
       if (hits > kRareHits) continue;
-      expected += 1 - std::exp(-hits);
+      expected += 1 - same_bits::exp(-hits);
       hit += is_hit;
     }
     most_rays = std::max(most_rays, rays_here);

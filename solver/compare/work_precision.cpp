@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -74,8 +75,8 @@ std::optional<double> seconds_to_reach(std::span<const WorkPoint> curve, double 
     if (there.error > error) continue;
     if (k == 0 || there.error == 0 || !std::isfinite(points[k - 1].error)) return there.seconds;
     const WorkPoint& before = points[k - 1];
-    const double part = std::log(before.error / error) / std::log(before.error / there.error);
-    return before.seconds * std::pow(there.seconds / before.seconds, part);
+    const double part = same_bits::log(before.error / error) / same_bits::log(before.error / there.error);
+    return before.seconds * same_bits::pow(there.seconds / before.seconds, part);
   }
   return std::nullopt;
 }

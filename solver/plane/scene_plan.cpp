@@ -7,6 +7,7 @@
 #include "geometry/plane/prepared/element_table.h"
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/scene/moving_lights.h"
+#include "kernel/plain_functions.h"
 #include "kernel/support/counted.h"
 #include "solver/plan_draft.h"
 #include "solver/plane/dividing/estimate.h"
@@ -62,7 +63,7 @@ Plan plan_scene(const PreparedScene2& prepared, const PlanRequest& request) {
   const bool is_convex = is_convex_room(scene);
   const SightEstimate2 sight = is_convex ? SightEstimate2() : estimated_sight(prepared.arrangement, table, kSample);
   const double pairs = is_convex ? n * n / 2 : static_cast<double>(sight.pairs);
-  const double seen = is_convex ? n : sight.seen * (1 + std::pow(sight.seen_typed / kSeenTogether, 2));
+  const double seen = is_convex ? n : sight.seen * (1 + same_bits::pow(sight.seen_typed / kSeenTogether, 2));
   const auto cells = static_cast<double>(request.grid_cells);
   PlanDraft draft(scene, request, {.one = "edge", .across = "along edges"});
   draft.add(Plan::kOcclusion, !is_convex, draft.count_text(scene.surfaces.size()) + " that may hide each other",

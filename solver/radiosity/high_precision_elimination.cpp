@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "kernel/exact_double.h"
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
 
@@ -69,7 +70,7 @@ class HighPrecisionElimination::Component {
     for (std::size_t k = 0; k < n; ++k) place[unknowns_[k]] = k;
     coupling_.assign(n * n, precise(0));
     loss_.assign(n, precise(0));
-    spread_ = 4 * std::pow(static_cast<double>(n) + 8, 3) * kOperationError;
+    spread_ = 4 * same_bits::pow(static_cast<double>(n) + 8, 3) * kOperationError;
     for (std::size_t k = 0; k < n; ++k) read_row(k, place);
     if (is_known()) eliminate();
   }

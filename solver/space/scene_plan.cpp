@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <random>
 
 #include "geometry/exchange_report.h"
@@ -14,6 +13,7 @@
 #include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/division.h"
 #include "geometry/space/scene/moving_lights.h"
+#include "kernel/plain_functions.h"
 #include "kernel/support/counted.h"
 #include "solver/plan_draft.h"
 #include "solver/space/dividing/estimate.h"
@@ -111,13 +111,13 @@ double seconds_per_map(const Scene3& scene, std::uint64_t rows) {
 // Of a point of a face, where light is gathered.
 double seconds_per_gathered(const Scene3& scene, std::uint64_t rows) {
   return static_cast<double>(scene.polygons.size()) * kSecondsPerGathered +
-         (is_divided(scene) ? std::pow(static_cast<double>(rows), kPowerOfRuns) * kSecondsPerRun : 0);
+         (is_divided(scene) ? same_bits::pow(static_cast<double>(rows), kPowerOfRuns) * kSecondsPerRun : 0);
 }
 
 void add_picture(const Scene3& scene, const PlanRequest& request, std::uint64_t rows, PlanDraft& draft) {
   const Camera3 usual, &camera = scene.camera ? *scene.camera : usual;
   const double pixels = static_cast<double>(camera.width) * camera.height;
-  const double points = std::min(kGatheredPoints * std::pow(pixels, kPowerOfPixels), kMostGathered * pixels);
+  const double points = std::min(kGatheredPoints * same_bits::pow(pixels, kPowerOfPixels), kMostGathered * pixels);
   const double gathered = request.is_gathered ? points * seconds_per_gathered(scene, rows) : 0;
   const std::string who = scene.camera ? "what the camera sees" : "what a camera chosen for the scene sees";
   const bool has_any = request.has_picture && !scene.surfaces.empty();

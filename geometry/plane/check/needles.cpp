@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "geometry/plane/check/wording.h"
+#include "kernel/plain_functions.h"
 
 namespace hottel {
 namespace {
@@ -25,7 +26,7 @@ double needle_degrees(const Vertices2& vertices, VertexId v, VertexId right, Ver
   const Rational x1 = ep.x - eo.x, y1 = ep.y - eo.y, x2 = eq.x - eo.x, y2 = eq.y - eo.y;
   const Rational cross = x1 * y2 - y1 * x2, dot = x1 * x2 + y1 * y2;
   if (dot <= 0 || cross <= 0 || cross * kNeedlePart >= dot) return -1;
-  return std::atan(to_double(cross / dot)) * 180 / std::numbers::pi;
+  return same_bits::atan(to_double(cross / dot)) * 180 / std::numbers::pi;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -17,7 +18,7 @@ double cross(const Way& a, const Way& b) { return a.x * b.y - a.y * b.x; }
 // From one direction to another, counter-clockwise: 0 to a full turn, which it is where there is only one.
 double turn_between(const Way& a, const Way& b, bool is_only) {
   if (is_only) return 2 * std::numbers::pi;
-  const double turn = std::atan2(cross(a, b), a.x * b.x + a.y * b.y);
+  const double turn = same_bits::atan2(cross(a, b), a.x * b.x + a.y * b.y);
   return turn < 0 ? turn + 2 * std::numbers::pi : turn;
 }
 

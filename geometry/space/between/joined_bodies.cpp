@@ -1,10 +1,11 @@
 #include "geometry/space/between/joined_bodies.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <tuple>
 #include <utility>
+
+#include "kernel/plain_functions.h"
 
 namespace hottel {
 namespace {
@@ -148,7 +149,7 @@ bool JoinedBodies3::is_before_once(const Group& group, std::span<const BoundedVe
     const std::size_t count = group.outline.size();
     const Direction3 at = seen(group.outline[(k + 1) % count]);
     const Direction3 in = at - seen(group.outline[k]), out = seen(group.outline[(k + 2) % count]) - at;
-    turn += std::atan2(dot(middle, cross(in, out)), dot(in, out));
+    turn += same_bits::atan2(dot(middle, cross(in, out)), dot(in, out));
   }
   return turn < 3 * std::numbers::pi;
 }

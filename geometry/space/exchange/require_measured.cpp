@@ -9,6 +9,7 @@
 #include "geometry/space/contacts/near_contacts.h"
 #include "geometry/space/exchange/pair_names.h"
 #include "geometry/unmeasured_pairs.h"
+#include "kernel/plain_functions.h"
 #include "kernel/rational.h"
 
 namespace hottel {
@@ -17,7 +18,7 @@ namespace {
 // Rounded up, so that it holds.
 std::string reached_text(const FailedPair3& failure) {
   if (failure.is_undecided || !(failure.reached > 0 && std::isfinite(failure.reached))) return failure.problem;
-  const double scale = std::pow(10.0, std::floor(std::log10(failure.reached)) - 1);
+  const double scale = same_bits::pow(10.0, std::floor(same_bits::log10(failure.reached)) - 1);
   return fmt::format("{:.1e} was reached: {}", std::ceil(failure.reached / scale) * scale, failure.problem);
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geometry/space/vectors/local_vector.h"
+#include "kernel/plain_functions.h"
 
 namespace hottel {
 
@@ -82,7 +83,7 @@ Ball3<Real> root(const Ball3<Real>& a) {
 template <class Real>
 Ball3<Real> arc_tangent(const Ball3<Real>& a) {
   using namespace ball_arithmetic_3;
-  using std::atan;
+  using same_bits::atan;
   const Real mid = atan(a.mid);
   return {mid, up(a.rad + kOfLibrary * kRoundoff<Real> * size_of(mid))};
 }

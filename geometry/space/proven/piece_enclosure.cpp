@@ -8,6 +8,7 @@
 #include "geometry/space/proven/node_balls.h"
 #include "geometry/space/proven/node_lanes.h"
 #include "kernel/legendre_rule.h"
+#include "kernel/plain_functions.h"
 
 namespace hottel {
 namespace {
@@ -31,7 +32,7 @@ constexpr double kRootOfThree = 1.7320508075688774;
 
 double error_of_rule_3(double largest, double rho, int n) {
   constexpr double kRoundings = 1 + 0x1p-30;
-  return largest * (64.0 / 15) * std::pow(rho, -2 * n) / (1 - 1 / (rho * rho)) * kRoundings;
+  return largest * (64.0 / 15) * same_bits::pow(rho, -2 * n) / (1 - 1 / (rho * rho)) * kRoundings;
 }
 
 template <class Real>

@@ -7,6 +7,7 @@
 
 #include "geometry/space/visibility/direction.h"
 #include "kernel/exact_double.h"
+#include "kernel/plain_functions.h"
 
 namespace hottel {
 namespace {
@@ -57,7 +58,7 @@ double view_factor(const std::vector<Direction3>& cone, const Direction3& normal
     const Direction3 &a = cone[k], &b = cone[(k + 1) % cone.size()];
     const Direction3 across = cross(a, b);
     const double sine = length(across);
-    if (sine > 0) sum += std::atan2(sine, dot(a, b)) / sine * dot(normal, across);
+    if (sine > 0) sum += same_bits::atan2(sine, dot(a, b)) / sine * dot(normal, across);
   }
   return std::fabs(sum) / (2 * std::numbers::pi);
 }

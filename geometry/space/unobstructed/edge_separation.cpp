@@ -4,6 +4,8 @@
 #include <array>
 #include <numbers>
 
+#include "kernel/plain_functions.h"
+
 namespace hottel {
 namespace {
 
@@ -24,7 +26,7 @@ double ellipse(double sum) { return sum > 1 ? sum + std::sqrt(sum * sum - 1) : 1
 
 double log_error_3(int n, double rho) {
   const double r = 1 / (rho * rho);
-  return 1.07 / n * std::pow(r, n) / (1 - r);
+  return 1.07 / n * same_bits::pow(r, n) / (1 - r);
 }
 
 int nodes_for_logs_3(double rho, double tolerance, int most) {
@@ -99,7 +101,9 @@ Reach3::Reach3(const EdgeEnds3<Real>& ends) : farthest(ends.farthest()) {
   nearest = 0.5 * std::max((e - 1) * ends.length_of(0), (f - 1) * ends.length_of(1));
 }
 
-double Reach3::largest_log() const { return std::max(std::fabs(std::log(nearest)), std::fabs(std::log(farthest))); }
+double Reach3::largest_log() const {
+  return std::max(std::fabs(same_bits::log(nearest)), std::fabs(same_bits::log(farthest)));
+}
 
 template <class Real>
 RowError3::RowError3(const EdgePair3<Real>& pair, const EdgeEnds3<Real>& ends) : rho_(ellipse(ends.least_sum(0))) {
@@ -124,7 +128,7 @@ double RowError3::operator()(int n) const {
   if (!has_line_) return rho_ > 1.01 ? log_error_3(n, rho_) : kUnknown;
   if (std::min({rho_line_, rho_end_[0], rho_end_[1]}) < 1.01) return kUnknown;
   const double r = 1 / (rho_line_ * rho_line_);
-  double error = 32.0 / 15 * pi * heights_ * std::pow(r, n) / (1 - r);
+  double error = 32.0 / 15 * pi * heights_ * same_bits::pow(r, n) / (1 - r);
   for (int k = 0; k < 2; ++k) error += log_error_3(n, rho_end_[k]) * 2 * n / (2 * n - 1) * scale_[k];
   return error;
 }
@@ -132,7 +136,7 @@ double RowError3::operator()(int n) const {
 int RowError3::nodes_for(double tolerance, int most) const {
   const double rho = has_line_ ? std::min({rho_line_, rho_end_[0], rho_end_[1]}) : rho_;
   if (rho < 1.8) return 0;
-  const int least = static_cast<int>(std::log(0.01 / tolerance) / (2 * std::log(rho)));
+  const int least = static_cast<int>(same_bits::log(0.01 / tolerance) / (2 * same_bits::log(rho)));
   for (int n = std::max(2, (least + 1) / 2 * 2); n <= most; n += 2)
     if ((*this)(n) <= tolerance) return n;
   return 0;

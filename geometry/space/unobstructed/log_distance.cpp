@@ -7,6 +7,7 @@
 
 #include "geometry/space/unobstructed/edge_separation.h"
 #include "kernel/legendre_rule.h"
+#include "kernel/plain_functions.h"
 
 namespace hottel {
 namespace {
@@ -29,7 +30,7 @@ double to_double(Real value) {
 }
 
 // What a mean of ln |p - f(t)| changes by at most where p is moved by x |v|.
-double modulus(double x) { return x > 0 ? 4 * x * (1 + std::log1p(0.5 / x)) : 0; }
+double modulus(double x) { return x > 0 ? 4 * x * (1 + same_bits::log1p(0.5 / x)) : 0; }
 
 // An edge pair, or a part of one, with what is asked of it.
 template <class Real>
@@ -43,7 +44,7 @@ struct Cell {
 // to one logarithm.
 template <class Real>
 Real tensor_mean(const EdgePair3<Real>& pair, int n_e, int n_f) {
-  using std::log;
+  using same_bits::log;
   const LegendreRule<Real>&rule_e = legendre_rule<Real>(n_e), &rule_f = legendre_rule<Real>(n_f);
   const auto half_e = static_cast<std::size_t>(n_e / 2), half_f = static_cast<std::size_t>(n_f / 2);
   std::array<LocalVector3<Real>, kMaxTensor<Real>> along;
@@ -93,7 +94,7 @@ std::optional<Approximation<Real>> tensor(const EdgePair3<Real>& pair, const Edg
 template <class Real>
 Approximation<Real> log_from_point(const LocalVector3<Real>& w0, const LocalVector3<Real>& w1,
                                    const LocalVector3<Real>& v, double off) {
-  using std::atan2, std::log, std::sqrt;
+  using same_bits::atan2, same_bits::log, std::sqrt;
   const Real q0 = square(w0), q1 = square(w1), q = square(v);
   const Real ln0 = q0 > 0 ? Real(log(q0) / 2) : Real(0), ln1 = q1 > 0 ? Real(log(q1) / 2) : Real(0);
   const Real height = length(cross(q0 <= q1 ? w0 : w1, v));
@@ -110,7 +111,7 @@ Approximation<Real> log_from_point(const LocalVector3<Real>& w0, const LocalVect
   if (off > 0) {
     const double gap = to_double(sqrt(q0) + sqrt(q1) - sqrt(q)) - 8 * kRoundoff<Real> * (r0 + r1 + size);
     const double x = off / size;
-    result.error += gap > 2048 * off ? 1.001 * x * std::log((r0 + r1 + size) / gap) : modulus(x);
+    result.error += gap > 2048 * off ? 1.001 * x * same_bits::log((r0 + r1 + size) / gap) : modulus(x);
   }
   return result;
 }
@@ -155,7 +156,7 @@ Approximation<Real> joint_mean(const EdgePair3<Real>& pair) {
 // then there are the errors of products and the library, and of u.v.
 template <class Real>
 Approximation<Real> parallel_mean(const EdgePair3<Real>& pair, const EdgeEnds3<Real>& ends) {
-  using std::atan2, std::log;
+  using same_bits::atan2, same_bits::log;
   const bool is_longer = ends.length_of(0) >= ends.length_of(1);
   const LocalVector3<Real>& axis = is_longer ? pair.u : pair.v;
   const Real q = square(axis);
@@ -182,7 +183,7 @@ Approximation<Real> parallel_mean(const EdgePair3<Real>& pair, const EdgeEnds3<R
         error += r * (off + (3 * roundoff + tilt) * r + off_c) * (size / 2 + 2.1) + r * off / 2 +
                  roundoff * r * r * (5 * size + 17);
       else
-        error += (r + off) * (r + off) * (2 * std::fabs(std::log(r + off + kLeastDistance<Real>)) + 3);
+        error += (r + off) * (r + off) * (2 * std::fabs(same_bits::log(r + off + kLeastDistance<Real>)) + 3);
     }
   const Real product = dot(pair.u, pair.v);
   Approximation<Real> result{sum / q / product - Real(1.5), 0};

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "kernel/plain_functions.h"
+
 namespace hottel {
 namespace {
 
@@ -180,10 +182,10 @@ double ArcSum3::value() const {
   long double sum = 0;
   for (const auto& [key, coefficient] : arcs_) {
     const long double root = std::sqrt(static_cast<long double>(to_double(key.first)));
-    sum += to_double(coefficient) * root * std::atan(to_double(key.second) / root);
+    sum += to_double(coefficient) * root * same_bits::atan(to_double(key.second) / root);
   }
   for (const auto& [of, coefficient] : logs_)
-    sum += to_double(coefficient) * std::log(static_cast<long double>(to_double(of)));
+    sum += to_double(coefficient) * same_bits::log(static_cast<long double>(to_double(of)));
   return static_cast<double>(sum / std::numbers::pi_v<long double>);
 }
 

@@ -15,6 +15,7 @@
 
 #include "geometry/space/unobstructed/local_outline.h"
 #include "kernel/legendre_rule.h"
+#include "kernel/plain_functions.h"
 
 namespace hottel {
 namespace {
@@ -66,7 +67,7 @@ class Factor {
     for (std::size_t k = 0; k < count; ++k) {
       const Vector q = to_.corners[k] - x, m = cross(p, q);
       const double size_q = to_double(length(q)), off_q = off_ + to_.off[k] + kRound * size_q;
-      const Real size = length(m), cosine = dot(p, q), angle = std::atan2(size, cosine);
+      const Real size = length(m), cosine = dot(p, q), angle = same_bits::atan2(size, cosine);
       if (size > 0) sum.value -= angle * dot(m, normal_.unit) / size;
       const double product = size_p * size_q, a = to_double(angle);
       const double off_m = 6 * kRound * product + off_p * size_q + off_q * size_p + off_p * off_q;
@@ -102,15 +103,17 @@ std::vector<Edge> edges_from(const Vector& x, const LocalOutline3<Real>& outline
   return result;
 }
 
+double area_sine(double x) { return same_bits::log1p(x + x * x / (1 + std::sqrt(1 + x * x))); }  // arsinh
+
 // By how much n nodes for one coordinate are off, times the largest density.
 double coordinate_error(int n, const std::vector<Edge>& edges, double nearest, double radius) {
   const double a = (nearest / radius - 1) * (n - 1) / (n + 1), rho = a + std::sqrt(a * a - 1), r = 1 / (rho * rho);
   double most = 0;
   for (const Edge& edge : edges) {
     const double left = 1 - (1 + a) * radius / edge.distance;
-    most += 2 / (left * left) * std::min(edge.ratio, 2 * std::asinh(edge.ratio));
+    most += 2 / (left * left) * std::min(edge.ratio, 2 * area_sine(edge.ratio));
   }
-  return 1.001 * 32.0 / 15 * a * most / (2 * pi) * std::pow(r, n) / (1 - r);
+  return 1.001 * 32.0 / 15 * a * most / (2 * pi) * same_bits::pow(r, n) / (1 - r);
 }
 
 }  // namespace

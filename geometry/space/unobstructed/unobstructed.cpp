@@ -17,6 +17,7 @@
 #include "geometry/space/unobstructed/small_part.h"
 #include "geometry/space/vectors/moving_vector.h"
 #include "kernel/exact_double.h"
+#include "kernel/plain_functions.h"
 
 namespace hottel {
 namespace {
@@ -73,7 +74,7 @@ class OutlineSum {
     const double off = 3 * kRoundoff<Real> * static_cast<double>(fabs(u.x * v.x) + fabs(u.y * v.y) + fabs(u.z * v.z)) +
                        off_u * size_v + off_v * size_u + off_u * off_v;
     if (size <= off) {  // |J| is at most ln of the largest distance, and 1.7 - ln of the longer edge
-      error_ += (size + off) * (2.4 + std::fabs(std::log(std::max(size_u, size_v))));
+      error_ += (size + off) * (2.4 + std::fabs(same_bits::log(std::max(size_u, size_v))));
       return;
     }
     const Approximation<Real> mean = mean_log(k, m, std::max(share_ / size, kRoundoff<Real> / 2));

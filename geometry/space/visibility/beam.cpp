@@ -7,6 +7,7 @@
 
 #include "geometry/space/visibility/beam_arc.h"
 #include "kernel/coprime_integers.h"
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -100,7 +101,7 @@ BeamPower3::BeamPower3(const Beam3& beam) : beam_(beam) {
   const double one_minus_cosine = opening(reach, kFirstPrecision).bounds().upper;
   const double rest = is_wide_ || reach == 90 || beam.falloff == 0
                           ? one_minus_cosine
-                          : -std::expm1((exponent_ + 1) * std::log1p(-one_minus_cosine));
+                          : -same_bits::expm1((exponent_ + 1) * same_bits::log1p(-one_minus_cosine));
   axial_ = (exponent_ + 1) / (2 * std::numbers::pi * rest);
 }
 
@@ -192,7 +193,7 @@ bool BeamPower3::is_far_below_doubles(const ExactCone3& cone) const {
       most = std::max(most, dot(axis_, in_doubles(nearest_to(narrow_.axis, arc))));
   });
   constexpr double kError = 1e-14;
-  return (exponent_ + 1) * std::log2(most + kError) < -970;
+  return (exponent_ + 1) * same_bits::log2(most + kError) < -970;
 }
 
 Ball BeamPower3::share(const ExactCone3& cone, long digits) const {
@@ -232,7 +233,7 @@ double BeamPower3::uncut_intensity(const IntegerVector& direction) const {
   if (beam_.falloff == 0) return axial_;
   if (dot_sign(narrow_.axis, direction) <= 0) return 0;  // not wide: there is a falloff
   const double cosine = dot(axis_, in_doubles(direction));
-  if (cosine > kLeastCosine) return axial_ * std::pow(cosine, exponent_);
+  if (cosine > kLeastCosine) return axial_ * same_bits::pow(cosine, exponent_);
   const auto number = [](const Integer& value) { return Ball::of(Rational(value), kFirstPrecision); };
   const Integer squares = dot(narrow_.axis, narrow_.axis) * dot(direction, direction);
   const Ball height =

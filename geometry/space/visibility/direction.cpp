@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "geometry/space/point.h"
+#include "kernel/plain_functions.h"
 
 namespace hottel {
 
@@ -30,7 +31,7 @@ double solid_angle_fraction_3(std::span<const Direction3> corners) {
     const Direction3 &b = corners[k], &c = corners[k + 1];
     const double volume = dot(a, cross(b - a, c - a)), rest = 1 + dot(a, b) + dot(b, c) + dot(c, a);
     // Of nearly a half space rounding may have turned the volume, which is not negative.
-    half_angle += std::atan2(rest < 0 ? std::max(volume, 0.0) : volume, rest);
+    half_angle += same_bits::atan2(rest < 0 ? std::max(volume, 0.0) : volume, rest);
   }
   return half_angle / (2 * std::numbers::pi);
 }
@@ -40,7 +41,7 @@ double solid_angle_fraction_by_normals_3(std::span<const Direction3> inward) {
   double angle = 2 * std::numbers::pi;
   for (std::size_t k = 0; k < inward.size(); ++k) {
     const Direction3 &a = inward[k], &b = inward[k + 1 == inward.size() ? 0 : k + 1];
-    angle -= std::atan2(length(cross(a, b)), dot(a, b));
+    angle -= same_bits::atan2(length(cross(a, b)), dot(a, b));
   }
   return std::max(angle, 0.0) / (4 * std::numbers::pi);
 }
@@ -51,7 +52,7 @@ double view_factor_3(std::span<const Direction3> corners, const Direction3& norm
     const Direction3 &a = corners[k], &b = corners[k + 1 == corners.size() ? 0 : k + 1];
     const Direction3 turn = cross(a, b - a);
     const double sine = length(turn);
-    if (sine > 0) sum += std::atan2(sine, dot(a, b)) / sine * dot(turn, normal);
+    if (sine > 0) sum += same_bits::atan2(sine, dot(a, b)) / sine * dot(turn, normal);
   }
   return sum / (2 * std::numbers::pi);
 }
@@ -61,7 +62,7 @@ double view_factor_by_normals_3(std::span<const Direction3> corners, std::span<c
   double sum = 0;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Direction3 &a = corners[k], &b = corners[k + 1 == corners.size() ? 0 : k + 1];
-    sum += std::atan2(length(cross(a, b - a)), dot(a, b)) * dot(inward[k], normal);
+    sum += same_bits::atan2(length(cross(a, b - a)), dot(a, b)) * dot(inward[k], normal);
   }
   return sum / (2 * std::numbers::pi);
 }

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "geometry/name.h"
 #include "geometry/plane/check/wording.h"
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 #include "solver/check/dark_suns.h"
 #include "solver/check/light_errors.h"
@@ -20,7 +20,7 @@ constexpr double kResidual = 1e-12;
 
 // Of jacobi: the spectral radius is at least its Rayleigh quotient for equal irradiances.
 double iterations(const LightFate& fate) {
-  return fate.loss > 0 && fate.loss < 1 ? std::log(kResidual) / std::log1p(-fate.loss) : 0;
+  return fate.loss > 0 && fate.loss < 1 ? same_bits::log(kResidual) / same_bits::log1p(-fate.loss) : 0;
 }
 
 using Faces = std::vector<std::uint32_t>;  // elements of the matrix, ascending

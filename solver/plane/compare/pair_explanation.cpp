@@ -9,6 +9,7 @@
 #include "geometry/plane/prepared/element_table.h"
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "geometry/plane/scene/division.h"
+#include "kernel/plain_functions.h"
 
 namespace hottel {
 namespace {
@@ -40,7 +41,7 @@ bool touch(const Line& a, const Line& b) {
 
 double angle(const Line& a, const Line& b) {
   const auto m = a.normal(), n = b.normal();
-  return std::atan2(std::abs(m[0] * n[1] - m[1] * n[0]), m[0] * n[0] + m[1] * n[1]) * 180 / std::numbers::pi;
+  return same_bits::atan2(std::abs(m[0] * n[1] - m[1] * n[0]), m[0] * n[0] + m[1] * n[1]) * 180 / std::numbers::pi;
 }
 
 }  // namespace

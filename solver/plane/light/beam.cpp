@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "kernel/coprime_integers.h"
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -88,7 +89,7 @@ int Beam2::compare(const Point2& direction, const Rational& degrees) const {
   double along = to_double(cosine), across = to_double(sine);
   if (const double size = std::max(std::fabs(along), std::fabs(across)); !(size > kLeastSize && size < 1 / kLeastSize))
     std::tie(along, across) = in_doubles({cosine, sine});
-  const double angle = std::atan2(across, along) * 180 / std::numbers::pi;
+  const double angle = same_bits::atan2(across, along) * 180 / std::numbers::pi;
   if (const double rest = angle - to_double(degrees); std::fabs(rest) > 1e-9) return rest > 0 ? 1 : -1;
   return sign_of(
       [&](long precision) { return raw_angle(direction, precision).minus(radians(degrees, precision), precision); });
@@ -148,7 +149,7 @@ bool Beam2::is_far_below_doubles(const Point2& from, const Point2& to, Side firs
   const bool holds_axis = is_behind ? a <= 0 || b >= 0 : a <= 0 && b >= 0;
   if (holds_axis) return false;
   const double nearest = std::min(std::fabs(a), std::fabs(b)), n = falloff_in_doubles_;
-  const double most = std::log2(n) / 2 - n * nearest * nearest / (2 * std::numbers::ln2);  // and log2(3) more
+  const double most = same_bits::log2(n) / 2 - n * nearest * nearest / (2 * std::numbers::ln2);  // and log2(3) more
   return most < -970;
 }
 
@@ -216,14 +217,14 @@ double Beam2::uncut_intensity(const Point2& direction) const {
   if (compare(direction, axis - 90) <= 0 || compare(direction, axis + 90) >= 0) return 0;
   const auto [x, y] = in_doubles(direction);
   if (const double t = angle_in_doubles(x, y); !is_near_right_angle(t))
-    return peak_ * std::pow(std::cos(t), falloff_in_doubles_);
+    return peak_ * same_bits::pow(same_bits::cos(t), falloff_in_doubles_);
   for (long precision = kFirstPrecision;; precision *= 2)
     if (const Ball height = cosine(direction, precision); height.sign() > 0 && height.is_relatively_narrow(100))
       return peak_ * height.power(falloff_, precision).nearest_of_ends().lower;
 }
 
 double Beam2::angle_in_doubles(double x, double y) const {
-  const double angle = std::atan2(x_ * y - y_ * x, x_ * x + y_ * y);
+  const double angle = same_bits::atan2(x_ * y - y_ * x, x_ * x + y_ * y);
   return std::remainder(angle - turned_in_radians_, 2 * std::numbers::pi);
 }
 

@@ -10,6 +10,7 @@
 #include "geometry/plane/scene/scene.h"
 #include "kernel/ball.h"
 #include "kernel/enclosure.h"
+#include "kernel/plain_functions.h"
 
 namespace hottel {
 
@@ -54,7 +55,7 @@ class Beam2 {
     if (std::fabs(beyond) > kAngleError ? beyond > 0 : !contains(exact())) return 0;
     if (falloff_in_doubles_ == 0) return peak_;
     if (is_near_right_angle(t)) return uncut_intensity(exact());
-    return peak_ * std::pow(std::cos(t), falloff_in_doubles_);
+    return peak_ * same_bits::pow(same_bits::cos(t), falloff_in_doubles_);
   }
   double intensity(const Point2& direction) const { return contains(direction) ? uncut_intensity(direction) : 0; }
   // The same whether or not the direction is in the beam; but where n > 0, 0 beyond 90 degrees. COST: some µs.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "kernel/plain_functions.h"
+
 namespace hottel {
 namespace {
 
@@ -29,7 +31,8 @@ inline double small_angle(double t) {
 constexpr int kRays = 8;
 const std::array<double, kRays + 1> kAngleOfRay = [] {
   std::array<double, kRays + 1> angles;
-  for (int k = 0; k <= kRays; ++k) angles[static_cast<std::size_t>(k)] = std::atan(static_cast<double>(k) / kRays);
+  for (int k = 0; k <= kRays; ++k)
+    angles[static_cast<std::size_t>(k)] = same_bits::atan(static_cast<double>(k) / kRays);
   return angles;
 }();
 

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "kernel/plain_functions.h"
+
 namespace hottel {
 namespace {
 
@@ -74,7 +76,7 @@ double WedgeLighting2::angle_to_axis(PieceSideId side, const Vector2& axis, doub
   const Segment2 piece = arrangement_.turned_piece(side);
   const Vector2 along = rounded(frame_.direction(piece.a, piece.b));
   doubt += 9 * kUnit * std::numbers::pi;
-  const double angle = std::atan2(-cross(along, axis), -dot(along, axis));
+  const double angle = same_bits::atan2(-cross(along, axis), -dot(along, axis));
   return angle < -std::numbers::pi / 2 ? angle + 2 * std::numbers::pi : angle;
 }
 

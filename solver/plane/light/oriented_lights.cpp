@@ -9,6 +9,7 @@
 
 #include "geometry/plane/prepared/element_table.h"
 #include "geometry/plane/prepared/prepared_scene.h"
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -24,7 +25,7 @@ struct Slant {
 Slant slant_of(double x, double y, const std::array<double, 2>& normal) {
   const double length = std::hypot(x, y);
   const double sine = (normal[0] * y - normal[1] * x) / length, cosine = (normal[0] * x + normal[1] * y) / length;
-  return {std::atan2(sine, cosine), sine};
+  return {same_bits::atan2(sine, cosine), sine};
 }
 
 // Half the integral of the cosine, where that is above 0, from the back of the area to a direction: 0 to 1.

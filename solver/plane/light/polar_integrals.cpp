@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "kernel/plain_functions.h"
+
 namespace hottel {
 namespace {
 
@@ -32,7 +34,7 @@ double small_arc_tangent(double r) {
   return r - r * s * (1.0 / 3 - s * (1.0 / 5 - s * (1.0 / 7 - s * (1.0 / 9 - s * (1.0 / 11 - s * (1.0 / 13))))));
 }
 
-double polar_angle(const Vector2& z, const Vector2& axis) { return std::atan2(cross(axis, z), dot(axis, z)); }
+double polar_angle(const Vector2& z, const Vector2& axis) { return same_bits::atan2(cross(axis, z), dot(axis, z)); }
 
 // The triangle between the pole and the edge from a to b: with d the distance of its line, t the place on it,
 // the integral is d/2 (angle_b t_b - angle_a t_a) - d²/2 log(r_b / r_a).
@@ -40,7 +42,7 @@ double angle_over_triangle(const Vector2& a, const Vector2& b, const Vector2& al
   const double squared = dot(along, along), moment = cross(a, along);
   if (moment == 0 || squared == 0) return 0;
   return moment / (2 * squared) * (angle_b * dot(b, along) - angle_a * dot(a, along)) -
-         moment * moment / (4 * squared) * std::log(dot(b, b) / dot(a, a));
+         moment * moment / (4 * squared) * same_bits::log(dot(b, b) / dot(a, a));
 }
 
 AreaAndAngle2 near_integrals(const CellPart2& part, const Vector2& z, const Vector2& axis) {
@@ -99,7 +101,7 @@ void CellPart2::cut(double at_centre, const Vector2& gradient) {
 }
 
 PolarIntegrals2::PolarIntegrals2(double height) : height_(height), radius_(std::hypot(1.0, height) / 2) {
-  const auto mean_power = [](double width, int n) { return std::pow(width / 2, n) / (n + 1); };
+  const auto mean_power = [](double width, int n) { return same_bits::pow(width / 2, n) / (n + 1); };
   for (int k = 1; k <= kTerms; ++k) {
     double sum = 0, binomial = 1;
     for (int m = 0; m <= k; ++m) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/plain_functions.h"
+
 namespace hottel {
 namespace {
 
@@ -44,7 +46,7 @@ double gauss_error_along(const FacingRuns2& runs, int k, int n, double rho) {
   const double linear = runs.centre_height[k] + half * runs.sine * (rho + 1 / rho) / 2;
   const double largest = runs.height[k] * linear / (2 * r * r * r);
   const double constant = 2 * (2 + 2 / (4.0 * n * n - 1));
-  return constant * largest * std::pow(rho, -2 * n) / (1 - 1 / (rho * rho)) / 2;
+  return constant * largest * same_bits::pow(rho, -2 * n) / (1 - 1 / (rho * rho)) / 2;
 }
 
 double rounding(const FacingRuns2& runs) {

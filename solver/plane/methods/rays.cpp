@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "geometry/plane/visibility/first_hit.h"
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 #include "solver/methods/factor_rows.h"
 #include "solver/methods/ray_names.h"
@@ -84,7 +85,7 @@ class Rays2 final : public ElementMethod2 {
   LocalVector2 direction(double turn) const {
     if (options_.law == EmissionLaw::kCosine) return {2 * turn - 1, 2 * std::sqrt(turn * (1 - turn))};
     const double angle = std::numbers::pi * (turn - 0.5);
-    return {std::sin(angle), std::cos(angle)};
+    return {same_bits::sin(angle), same_bits::cos(angle)};
   }
 
   RayOptions options_;
@@ -126,7 +127,7 @@ std::optional<double> Rays2::declared_error(const PreparedScene2& prepared) cons
   const auto n = static_cast<double>(options_.rays);
   const double columns = geometry.count() + 1.0, pairs = columns * columns;
   double error = 1;
-  if (options_.sampling != Sampling::kSobol) error = std::sqrt(std::log(2 * pairs / kChance) / (2 * n));
+  if (options_.sampling != Sampling::kSobol) error = std::sqrt(same_bits::log(2 * pairs / kChance) / (2 * n));
   // What is seen changes across the curves on which a vertex is seen: angles that fall from one end to the other.
   const auto curves = static_cast<double>(prepared.arrangement.vertices().size());
   error = std::min(error, curves * parts_met_by_a_curve(options_.sampling, options_.rays) / n);

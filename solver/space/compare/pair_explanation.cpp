@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "geometry/space/exchange/facing.h"
+#include "kernel/plain_functions.h"
 
 namespace hottel {
 namespace {
@@ -50,7 +51,8 @@ PairExplanation PairExplainer3::explain(const PairError& pair) const {
   } else if (const ElementPatch3* const b = largest(geometry_.patches(pair.to)); a != nullptr && b != nullptr) {
     const double distance = length(b->centre - a->centre);
     result.distance = unit_ * distance;
-    result.angle = std::atan2(length(cross(a->normal, b->normal)), dot(a->normal, b->normal)) * 180 / std::numbers::pi;
+    result.angle =
+        same_bits::atan2(length(cross(a->normal, b->normal)), dot(a->normal, b->normal)) * 180 / std::numbers::pi;
     result.reason += touch(*a, *b)                                      ? ", touching"
                      : distance < std::sqrt(std::max(a->area, b->area)) ? ", near"
                                                                         : ", far";

@@ -10,6 +10,7 @@
 #include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/scene/division.h"
 #include "geometry/space/visibility/exact_visibility_map.h"
+#include "kernel/plain_functions.h"
 #include "kernel/support/parallel.h"
 #include "solver/space/light/scene_light_shares.h"
 
@@ -28,13 +29,13 @@ struct Circle {
     if (!(length(sum) > 1e-3)) return {};
     Circle circle{unit(sum), 0};
     for (const Direction3& direction : directions)
-      circle.radius = std::max(circle.radius, std::acos(std::clamp(dot(circle.middle, direction), -1.0, 1.0)));
+      circle.radius = std::max(circle.radius, same_bits::acos(std::clamp(dot(circle.middle, direction), -1.0, 1.0)));
     // Within less than half a turn around, a circle that holds the corners holds what is between them.
     return circle.radius < 1.5 ? circle : Circle{};
   }
   bool may_meet(const Circle& other) const {
     constexpr double kRounding = 1e-7;  // of directions, and of acos
-    const double apart = std::acos(std::clamp(dot(middle, other.middle), -1.0, 1.0));
+    const double apart = same_bits::acos(std::clamp(dot(middle, other.middle), -1.0, 1.0));
     return apart <= radius + other.radius + kRounding;
   }
 };

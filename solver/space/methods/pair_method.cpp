@@ -6,6 +6,7 @@
 #include <memory>
 #include <numbers>
 
+#include "kernel/plain_functions.h"
 #include "kernel/support/parallel.h"
 
 namespace hottel {
@@ -20,8 +21,8 @@ bool sees_open_space(const SegmentVisibility3& visibility, const ElementPatch3& 
   for (int k = 0; k < kDirections; ++k) {
     const double square = (k + 0.5) / kDirections, turn = k * std::numbers::pi * (3 - std::sqrt(5.0));
     const double sine = std::sqrt(square), cosine = std::sqrt(1 - square);
-    if (visibility.sees_sky(centre_point(patch),
-                            cosine * patch.normal + sine * std::cos(turn) * along + sine * std::sin(turn) * across))
+    if (visibility.sees_sky(centre_point(patch), cosine * patch.normal + sine * same_bits::cos(turn) * along +
+                                                     sine * same_bits::sin(turn) * across))
       return true;
   }
   return false;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "geometry/space/exchange/exchange.h"
+#include "kernel/plain_functions.h"
 
 namespace hottel {
 namespace {
@@ -90,12 +91,12 @@ double rule_error_3(const ElementPatch3& a, const ElementPatch3& b, int degree) 
   double best = kNothing;
   for (int k = 1; k < kTries; ++k) {
     const double s = 1 + (distance / radius - 1) * k / kTries, reach = s * radius;
-    const double largest = height * (distance + reach) / (std::numbers::pi * std::pow(distance - reach, 4));
-    best = std::min(best, largest * std::pow(s, -(degree + 1)) / (1 - 1 / s));
+    const double largest = height * (distance + reach) / (std::numbers::pi * same_bits::pow(distance - reach, 4));
+    best = std::min(best, largest * same_bits::pow(s, -(degree + 1)) / (1 - 1 / s));
   }
   // Heights that are not quite above 0 are taken for 0, and the kernel is rounded.
   const double nearest = distance - radius;
-  return 2 * best + kSlack * facing.largest * facing.largest / std::pow(nearest, 4);
+  return 2 * best + kSlack * facing.largest * facing.largest / same_bits::pow(nearest, 4);
 }
 
 ExchangeMethod3::ClaimedErrors quadrature_claims_3(const PreparedScene3& prepared, const PatchRule3& rule) {

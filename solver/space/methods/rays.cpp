@@ -12,6 +12,7 @@
 #include <numbers>
 #include <utility>
 
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 #include "solver/methods/factor_rows.h"
 #include "solver/methods/ray_names.h"
@@ -137,7 +138,8 @@ class Rays3 final : public ElementMethod3 {
     const double cosine = is_by_cosine ? std::sqrt(1 - direction.position) : 1 - direction.position;
     const double sine = is_by_cosine ? std::sqrt(direction.position) : std::sqrt(1 - cosine * cosine);
     const double turn = 2 * std::numbers::pi * direction.turn;
-    const Vector3d way = cosine * start->patch->normal + sine * std::cos(turn) * u + sine * std::sin(turn) * v;
+    const Vector3d way =
+        cosine * start->patch->normal + sine * same_bits::cos(turn) * u + sine * same_bits::sin(turn) * v;
     const auto hit = scene.first_hit(from, way, start->patch->piece);
     if (!hit) return sky;
     const BoundedVector& rounded_front = occluders.normal(hit->piece);
@@ -162,9 +164,9 @@ std::optional<double> Rays3::declared_error(const PreparedScene3& prepared) cons
   const double columns = geometry.count() + 1.0, pairs = columns * columns;
   double error = 1;
   if (options_.sampling == Sampling::kIndependent) {
-    error = std::sqrt(std::log(2 * pairs / kChance) / (2 * n));
+    error = std::sqrt(same_bits::log(2 * pairs / kChance) / (2 * n));
   } else if (options_.sampling == Sampling::kStratified) {
-    const double odds = std::log(4 * pairs / kChance);
+    const double odds = same_bits::log(4 * pairs / kChance);
     error = (odds + std::sqrt(odds * odds + 4 * n * odds) + std::sqrt(n * odds)) / n;
   }
   error += kSinglePrecision;
