@@ -199,6 +199,38 @@ TEST(Layers, NamesOfASliceSayTheirDimension) {
   EXPECT_GT(names, 300u);
 }
 
+// Lines of what nm tells of an object.
+std::vector<std::string> symbols_of(const fs::path& object, const std::string& options) {
+  const std::unique_ptr<FILE, int (*)(FILE*)> output(
+      popen(("nm " + options + " '" + object.string() + "'").c_str(), "r"), pclose);
+  EXPECT_TRUE(output);
+  std::vector<std::string> symbols(1);
+  for (int c = 0; output && (c = std::fgetc(output.get())) != EOF;)
+    if (c == '\n')
+      symbols.emplace_back();
+    else
+      symbols.back() += static_cast<char>(c);
+  return symbols;
+}
+
+// The library's have other last bits on other processors: kernel/plain_functions.h has the same everywhere.
+TEST(Layers, LogarithmsAndAnglesAreOurOwn) {
+  const std::regex of_library(
+      R"re( U (a?(sin|cos|tan)h?|atan2|sincos|exp|expm1|pow|log(2|10|1p)?|[tl]gamma|erfc?)f?(@.*)?$)re");
+  // CGAL's headers call them, for nothing that is printed.
+  const std::set<std::string> allowed;
+  std::size_t objects = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(HOTTEL_BINARY_DIR) / "CMakeFiles")) {
+    const fs::path path = entry.path();
+    if (path.extension() != ".o" || sources_of(path).empty()) continue;
+    ++objects;
+    for (const std::string& symbol : symbols_of(path, "-u"))
+      EXPECT_FALSE(std::regex_search(symbol, of_library) && !allowed.contains(path.filename().string()))
+          << path.filename() << " has" << symbol;
+  }
+  EXPECT_GT(objects, 300u);
+}
+
 // GMP ends the process by a signal where it is given an infinity, and rounds as it likes: one source asks it.
 TEST(Layers, OneSourceTurnsDoublesIntoExactNumbers) {
   // Of rationals and integers both ways. What CGAL makes of doubles is made of finite ones; mpf is asked after
@@ -212,12 +244,7 @@ TEST(Layers, OneSourceTurnsDoublesIntoExactNumbers) {
     const fs::path path = entry.path();
     if (path.extension() != ".o" || sources_of(path).empty()) continue;
     ++objects;
-    const std::unique_ptr<FILE, int (*)(FILE*)> output(popen(("nm -u '" + path.string() + "'").c_str(), "r"), pclose);
-    ASSERT_TRUE(output);
-    std::array<char, 4096> line;
-    while (std::fgets(line.data(), line.size(), output.get()) != nullptr) {
-      std::string symbol = line.data();
-      while (!symbol.empty() && symbol.back() == '\n') symbol.pop_back();
+    for (const std::string& symbol : symbols_of(path, "-u")) {
       if (!std::regex_search(symbol, conversion)) continue;
       is_seen = is_seen || path.filename() == "exact_double.cpp.o";
       EXPECT_TRUE(allowed.contains(path.filename().string()))

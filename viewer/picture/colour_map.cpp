@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 #include "viewer/picture/palette.h"
 
@@ -34,7 +35,7 @@ OklabPolar between(const OklabPolar& a, const OklabPolar& b, double t) {
 
 // Returns the largest of 1, 2, 5 times a power of ten steps that gives at most limit multiples in the range.
 double nice_step(double lower, double upper, int limit) {
-  double power = std::pow(10, std::floor(std::log10((upper - lower) / limit)));
+  double power = same_bits::pow(10, std::floor(same_bits::log10((upper - lower) / limit)));
   for (;; power *= 10)
     for (const double factor : {1.0, 2.0, 5.0}) {
       const double step = factor * power;
@@ -45,7 +46,7 @@ double nice_step(double lower, double upper, int limit) {
 }  // namespace
 
 double srgb_from_linear(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * same_bits::pow(linear, 1 / 2.4) - 0.055;
 }
 
 namespace {
@@ -93,12 +94,13 @@ std::uint8_t srgb_level(double linear) {
 }
 
 double linear_from_srgb(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+  return encoded <= 0.04045 ? encoded / 12.92 : same_bits::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
 Colour colour_of(const OklabPolar& colour) {
   const double angle = colour.hue * std::numbers::pi / 180;
-  const double a = colour.chroma * std::cos(angle), b = colour.chroma * std::sin(angle), l = colour.lightness;
+  const double a = colour.chroma * same_bits::cos(angle), b = colour.chroma * same_bits::sin(angle),
+               l = colour.lightness;
   const auto cube = [](double v) { return v * v * v; };
   const double cone_l = cube(l + 0.3963377774 * a + 0.2158037573 * b);
   const double cone_m = cube(l - 0.1055613458 * a - 0.0638541728 * b);
@@ -126,13 +128,13 @@ double ColourScale::position(double value) const {
   HOTTEL_REQUIRE(lower <= upper && (!logarithmic || lower > 0));
   if (!(value > lower) || !(lower < upper)) return 0;
   if (value >= upper) return 1;
-  if (logarithmic) return std::clamp(std::log(value / lower) / std::log(upper / lower), 0.0, 1.0);
+  if (logarithmic) return std::clamp(same_bits::log(value / lower) / same_bits::log(upper / lower), 0.0, 1.0);
   const double span = upper / 2 - lower / 2;  // halves: the difference of two doubles may overflow
   return std::clamp((value / 2 - lower / 2) / span, 0.0, 1.0);
 }
 
 double ColourScale::value(double position) const {
-  return logarithmic ? lower * std::pow(upper / lower, position) : std::lerp(lower, upper, position);
+  return logarithmic ? lower * same_bits::pow(upper / lower, position) : std::lerp(lower, upper, position);
 }
 
 Colour signed_map_colour(double position) {
@@ -154,12 +156,12 @@ double ColourScale::signed_position(double value) const {
 std::vector<double> ColourScale::ticks(int limit) const {
   if (!(lower < upper) || limit < 2) return {lower};
   if (logarithmic) {
-    const int first = static_cast<int>(std::ceil(std::log10(lower) - 1e-9));
-    const int last = static_cast<int>(std::floor(std::log10(upper) + 1e-9));
+    const int first = static_cast<int>(std::ceil(same_bits::log10(lower) - 1e-9));
+    const int last = static_cast<int>(std::floor(same_bits::log10(upper) + 1e-9));
     if (last > first) {
       const int every = std::max(1, (last - first + limit) / limit);
       std::vector<double> decades;
-      for (int k = last; k >= first; k -= every) decades.push_back(std::pow(10, k));
+      for (int k = last; k >= first; k -= every) decades.push_back(same_bits::pow(10, k));
       std::reverse(decades.begin(), decades.end());
       return decades;
     }

@@ -7,6 +7,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "kernel/plain_functions.h"
 #include "viewer/picture/picture_options.h"
 
 namespace hottel {
@@ -172,13 +173,13 @@ std::vector<double> contour_levels(double lower, double upper, int limit) {
   std::vector<double> levels;
   const auto inside = [&](double level) { return lower < level && level < upper; };
   if (lower > 0 && upper >= 10 * lower) {
-    const int first = static_cast<int>(std::floor(std::log10(lower))),
-              last = static_cast<int>(std::ceil(std::log10(upper)));
+    const int first = static_cast<int>(std::floor(same_bits::log10(lower))),
+              last = static_cast<int>(std::ceil(same_bits::log10(upper)));
     const auto add = [&](int step, std::initializer_list<double> factors) {
       levels.clear();
       for (int k = first; k <= last; ++k)
         for (const double factor : factors)
-          if (const double level = k < 0 ? factor / std::pow(10, -k) : factor * std::pow(10, k);
+          if (const double level = k < 0 ? factor / same_bits::pow(10, -k) : factor * same_bits::pow(10, k);
               k % step == 0 && inside(level))
             levels.push_back(level);
       return levels.size() <= static_cast<std::size_t>(limit);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "kernel/plain_functions.h"
 #include "viewer/picture/colour_map.h"
 #include "viewer/picture/palette.h"
 
@@ -28,7 +29,7 @@ struct Ticks {
     const int most = static_cast<int>(std::clamp(units / kBetweenTicks, 2.0, 20.0));
     at = ColourScale{.lower = lower, .upper = upper}.ticks(most);
     if (at.size() < 2) return;
-    const double exponent = std::floor(std::log10(at[1] - at[0]) + 1e-9);
+    const double exponent = std::floor(same_bits::log10(at[1] - at[0]) + 1e-9);
     const bool is_plain = exponent > -7 && std::abs(at.back()) < 1e12 && std::abs(at.front()) < 1e12;
     for (const double value : at)
       labels.push_back(is_plain ? fmt::format("{:.{}f}", value, static_cast<int>(std::max(0.0, -exponent)))

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "kernel/plain_functions.h"
 #include "viewer/picture/contour_set.h"
 #include "viewer/picture/smoothed_field.h"
 
@@ -43,13 +44,13 @@ void draw_light_contours(PictureCanvas& canvas, PixelField light, std::span<cons
                          Pixel origin, double size) {
   if (levels.empty()) return;
   const double low = levels.front() / kBeyondLevels, high = levels.back() * kBeyondLevels;
-  for (float& value : light.values) value = static_cast<float>(std::log(std::clamp<double>(value, low, high)));
+  for (float& value : light.values) value = static_cast<float>(same_bits::log(std::clamp<double>(value, low, high)));
   const PixelField logs = smoothed_field(std::move(light), kCellsBlended * cell);
   std::vector<double> log_levels;
-  for (const double level : levels) log_levels.push_back(std::log(level));
+  for (const double level : levels) log_levels.push_back(same_bits::log(level));
   const std::vector<Contour> contours = contour_set(logs, log_levels, kLeastContour * size);
   std::vector<std::string> names;
-  for (const Contour& contour : contours) names.push_back(fmt::format("{:.6g}", std::exp(contour.level)));
+  for (const Contour& contour : contours) names.push_back(fmt::format("{:.6g}", same_bits::exp(contour.level)));
   draw_contours(canvas, contours, names, logs, origin, size);
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "kernel/plain_functions.h"
 #include "viewer/picture/palette.h"
 
 namespace hottel {
@@ -35,7 +36,7 @@ std::string duration(int exponent) {
   if (exponent < -9 || exponent > 5) return power_of_ten(exponent) + " s";
   static constexpr const char* kUnits[] = {"ns", "µs", "ms", "s"};
   const int unit = std::min((exponent + 9) / 3, 3);
-  return fmt::format("{:.0f} {}", std::pow(10, exponent + 9 - 3 * unit), kUnits[unit]);
+  return fmt::format("{:.0f} {}", same_bits::pow(10, exponent + 9 - 3 * unit), kUnits[unit]);
 }
 
 bool overlap(const std::array<Pixel, 2>& a, const std::array<Pixel, 2>& b) {
@@ -68,7 +69,7 @@ bool crosses(const std::array<Pixel, 2>& box, const std::array<Pixel, 2>& line) 
 
 double LogPlotPainter::Axis::position(double value) const {
   const double lowest = first - (has_zero ? 1 : 0);
-  const double exponent = value > 0 ? std::log10(value) : lowest;
+  const double exponent = value > 0 ? same_bits::log10(value) : lowest;
   return (exponent - lowest + (has_zero && value <= 0 ? 0.5 : 0.0)) / (last - lowest);
 }
 
@@ -81,8 +82,8 @@ LogPlotPainter::Axis LogPlotPainter::axis_over(const std::vector<double>& values
     if (value > 0) greatest = std::max(greatest, value);
   }
   if (greatest == 0) return axis;
-  axis.first = static_cast<int>(std::floor(std::log10(least)));
-  axis.last = std::max(axis.first + 1, static_cast<int>(std::ceil(std::log10(greatest))));
+  axis.first = static_cast<int>(std::floor(same_bits::log10(least)));
+  axis.last = std::max(axis.first + 1, static_cast<int>(std::ceil(same_bits::log10(greatest))));
   return axis;
 }
 
@@ -193,7 +194,7 @@ void LogPlotPainter::draw_x_axis(PictureCanvas& canvas) const {
   };
   const int every = std::max(1, (x_.last - x_.first) / 8);
   for (int k = x_.first; k <= x_.last; ++k) {
-    const double decade = std::pow(10, k);
+    const double decade = same_bits::pow(10, k);
     vertical(decade, grid);
     for (int m = 2; k < x_.last && x_.last - x_.first <= 8 && m <= 9; ++m) vertical(m * decade, fine);
     if ((k - x_.first) % every != 0) continue;
@@ -217,14 +218,14 @@ void LogPlotPainter::draw_axes(PictureCanvas& canvas) const {
   TextStyle left = small;
   left.anchor = TextAnchor::kRight;
   for (int k = y_.first; k <= y_.last; ++k) {
-    const double decade = std::pow(10, k);
+    const double decade = same_bits::pow(10, k);
     horizontal(decade, grid);
     if ((y_.last - k) % y_every == 0)
       canvas.text(Mark::kAxis, {top_left_.x - 12 * unit_, at(1, decade).y + 6 * unit_}, power_of_ten(k), left);
   }
   if (y_.has_zero) {
     canvas.text(Mark::kAxis, {top_left_.x - 12 * unit_, at(1, 0).y + 6 * unit_}, plot_.zero_label, left);
-    const double where = at(1, std::pow(10, y_.first)).y;
+    const double where = at(1, same_bits::pow(10, y_.first)).y;
     for (double x = top_left_.x; x < bottom_right_.x; x += 14 * unit_)
       canvas.stroke(Mark::kAxis, {x, where}, {std::min(x + 6 * unit_, bottom_right_.x), where}, palette::kSoftInk,
                     1.4 * unit_);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "kernel/plain_functions.h"
 #include "viewer/picture/palette.h"
 
 namespace hottel {
@@ -11,7 +12,7 @@ namespace {
 
 // The largest of 1, 2, 5 times a power of ten that is not above the limit.
 double round_length(double limit) {
-  const double power = std::pow(10, std::floor(std::log10(limit)));
+  const double power = same_bits::pow(10, std::floor(same_bits::log10(limit)));
   for (const double factor : {5.0, 2.0})
     if (factor * power <= limit) return factor * power;
   return power;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 #include "viewer/picture/colour_map.h"
 
@@ -24,15 +25,15 @@ std::array<double, 3> rgb(std::span<const double> value) {
 
 double luminance(const std::array<double, 3>& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
 
-double exact_log(double y) { return std::log1p(y); }
+double exact_log(double y) { return same_bits::log1p(y); }
 
 // log(1 + y) for y >= 0, off by less than 10^-6.
 class NearLog {
  public:
   NearLog() {
     for (std::size_t k = 0; k < kSteps; ++k) {
-      log_[k] = std::log1p(static_cast<double>(k) / kSteps);
-      slope_[k] = (std::log1p(static_cast<double>(k + 1) / kSteps) - log_[k]) * kSteps;
+      log_[k] = same_bits::log1p(static_cast<double>(k) / kSteps);
+      slope_[k] = (same_bits::log1p(static_cast<double>(k + 1) / kSteps) - log_[k]) * kSteps;
     }
   }
   double operator()(double y) const {
@@ -87,10 +88,10 @@ ToneCurve::ToneCurve(Tone tone, double exposure, std::span<const double> values,
     const double y = luminance(rgb(value));
     if (!(y > 0)) continue;
     brightest = std::max(brightest, y);
-    sum_of_logs += std::log(y);
+    sum_of_logs += same_bits::log(y);
     ++lit;
   }
-  const double middle = lit > 0 ? std::exp(sum_of_logs / lit) : 1;
+  const double middle = lit > 0 ? same_bits::exp(sum_of_logs / lit) : 1;
   switch (tone) {
     case Tone::kLinear:
       scale_ = exposure;
@@ -106,7 +107,7 @@ ToneCurve::ToneCurve(Tone tone, double exposure, std::span<const double> values,
       break;
   }
   white_ = lit > 0 ? brightest * scale_ : 1;
-  log_white_ = std::log1p(white_);
+  log_white_ = same_bits::log1p(white_);
 }
 
 template <class Log>

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/plain_functions.h"
+
 namespace hottel {
 namespace {
 
@@ -23,7 +25,7 @@ ColourScale scale_of(std::span<const double> values, std::size_t channels) {
   }
   low = std::max(low, kDecades * high);
   if (!(low < 0.999 * high)) return {0, high, false};
-  const bool has_decades = std::floor(std::log10(high)) > std::ceil(std::log10(low));  // two to be labelled
+  const bool has_decades = std::floor(same_bits::log10(high)) > std::ceil(same_bits::log10(low));  // two to be labelled
   return {low, high, has_decades};
 }
 

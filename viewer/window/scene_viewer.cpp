@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 #include "viewer/edit/light_edits.h"
 #include "viewer/picture/cairo_canvas.h"
@@ -105,7 +106,7 @@ void SceneViewer::handle(const WindowEvent& event) {
     case Kind::kRelease:
       return release(event);
     case Kind::kWheel:
-      if (!scrolls_.wheel(mouse_, event.wheel) && !shows_help_) zoom(std::pow(kPerNotch, event.wheel));
+      if (!scrolls_.wheel(mouse_, event.wheel) && !shows_help_) zoom(same_bits::pow(kPerNotch, event.wheel));
       return;
     case Kind::kKey:
       return handle_key(event);

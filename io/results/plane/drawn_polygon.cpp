@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "geometry/plane/arrangement/solids.h"
+#include "kernel/plain_functions.h"
 
 namespace hottel {
 namespace {
@@ -15,9 +16,9 @@ using Vertex = DrawnPolygon2::Vertex;
 void add_arc(const Point2& eye, double range, const RoundedPolygon2& polygon, std::size_t k,
              std::vector<Vertex>& line) {
   constexpr double kPi = std::numbers::pi;
-  const double largest_step = 2 * std::acos(1 - 0x1p-10);
+  const double largest_step = 2 * same_bits::acos(1 - 0x1p-10);
   const double x = to_double(eye.x), y = to_double(eye.y);
-  const auto angle_of = [&](const RoundedPolygon2::Corner& c) { return std::atan2(c.y - y, c.x - x); };
+  const auto angle_of = [&](const RoundedPolygon2::Corner& c) { return same_bits::atan2(c.y - y, c.x - x); };
   const std::size_t next = k + 1 == polygon.corners.size() ? 0 : k + 1;
   const double begin = angle_of(polygon.corners[k]);
   double turn = next == k ? 2 * kPi : angle_of(polygon.corners[next]) - begin;
@@ -25,7 +26,7 @@ void add_arc(const Point2& eye, double range, const RoundedPolygon2& polygon, st
   const double steps = std::max(1.0, std::ceil(turn / largest_step));
   for (double step = 1; step < steps; ++step) {
     const double angle = begin + turn * step / steps;
-    line.push_back({{x + range * std::cos(angle), y + range * std::sin(angle), kRange}, k});
+    line.push_back({{x + range * same_bits::cos(angle), y + range * same_bits::sin(angle), kRange}, k});
   }
 }
 

@@ -14,6 +14,7 @@
 #include "io/scene/space/vs3_statements.h"
 #include "kernel/decimal.h"
 #include "kernel/exact_double.h"
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/trimmed.h"
 
@@ -60,7 +61,7 @@ CosineAndSine turn(const Rational& degrees, bool& is_exact) {
   CosineAndSine result{1, 0};
   if (rest != 0) {
     is_exact = false;
-    const double half = std::tan(to_double(rest) * (std::numbers::pi / 360));
+    const double half = same_bits::tan(to_double(rest) * (std::numbers::pi / 360));
     const Rational t = scaled_by_power_of_two(exact_value(std::nearbyint(std::ldexp(half, 52))), -52);
     const Rational squared = t * t;
     result = {(1 - squared) / (1 + squared), 2 * t / (1 + squared)};

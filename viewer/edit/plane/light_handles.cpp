@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 #include "viewer/edit/decimals.h"
 #include "viewer/edit/light_list.h"
@@ -18,7 +19,7 @@ double distance(const Place2& a, const Place2& b) { return std::hypot(a[0] - b[0
 
 // Where the axis points, counter-clockwise from the direction of x. [radians]
 double axis_of(const LightPlace2& place) {
-  return std::atan2(to_double(place.direction.y), to_double(place.direction.x)) + radians(place.turned);
+  return same_bits::atan2(to_double(place.direction.y), to_double(place.direction.x)) + radians(place.turned);
 }
 
 void move(LightPlace2& place, const Rational& dx, const Rational& dy) {
@@ -37,7 +38,7 @@ LightShape2 light_shape(const Scene2& scene, std::uint32_t light, double arm) {
   if (!shape.is_spot) return shape;
   const double axis = axis_of(where), half = radians(scene.lights[light].half_angle());
   const auto at = [&](double angle) {
-    return Place2{shape.place[0] + arm * std::cos(angle), shape.place[1] + arm * std::sin(angle)};
+    return Place2{shape.place[0] + arm * same_bits::cos(angle), shape.place[1] + arm * same_bits::sin(angle)};
   };
   shape.axis = at(axis);
   shape.left = at(axis + half);
@@ -81,7 +82,7 @@ Scene2 drag_light(const Scene2& scene, const LightHold& hold, const Place2& to, 
     return edited;
   }
   Light& light = edited.lights[hold.light];
-  const double angle = std::atan2(to_double(way.y), to_double(way.x)) - axis_of(place);
+  const double angle = same_bits::atan2(to_double(way.y), to_double(way.x)) - axis_of(place);
   const double degrees = std::abs(std::remainder(angle, 2 * std::numbers::pi)) * 180 / std::numbers::pi;
   light.focus = std::clamp<Rational>(rounded_decimal(degrees, 0), 1, light.falloff > 0 ? 90 : 180);
   return edited;

@@ -1,9 +1,9 @@
 #include "viewer/edit/plane/rotation.h"
 
-#include <cmath>
 #include <numbers>
 
 #include "kernel/exact_double.h"
+#include "kernel/plain_functions.h"
 #include "viewer/edit/decimals.h"
 
 namespace hottel {
@@ -17,8 +17,8 @@ Rotation2::Rotation2(const Point2& centre, const Rational& degrees, int decimals
   const Rational rest = degrees - 90 * Rational(quarters);
   is_exact_ = rest == 0;
   const double radians = to_double(rest) * std::numbers::pi / 180;
-  cosine_ = exact_value(is_exact_ ? 1 : std::cos(radians));
-  sine_ = exact_value(is_exact_ ? 0 : std::sin(radians));
+  cosine_ = exact_value(is_exact_ ? 1 : same_bits::cos(radians));
+  sine_ = exact_value(is_exact_ ? 0 : same_bits::sin(radians));
 }
 
 Point2 Rotation2::operator()(const Point2& p) const {

@@ -9,6 +9,7 @@
 
 #include "geometry/light_motion.h"
 #include "kernel/exact_double.h"
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 #include "viewer/edit/decimals.h"
 #include "viewer/edit/light_list.h"
@@ -30,7 +31,9 @@ struct Beam {
   double arm = 0;
 
   // The end of a border at an angle from the axis; to the left where that is above 0.
-  Direction3 border(double angle) const { return place + arm * (std::cos(angle) * axis + std::sin(angle) * left); }
+  Direction3 border(double angle) const {
+    return place + arm * (same_bits::cos(angle) * axis + same_bits::sin(angle) * left);
+  }
 };
 
 // 1 long, whatever the length of the vector. REQUIRES that it is not zero.
@@ -112,10 +115,12 @@ std::optional<LightShape3> light_shape(const Scene3& scene, std::uint32_t light,
   shape.axis = beam.border(0);
   shape.left = beam.border(half);
   shape.right = beam.border(-half);
-  const Direction3 middle = beam.place + beam.arm * std::cos(half) * beam.axis, other = cross(beam.axis, beam.left);
+  const Direction3 middle = beam.place + beam.arm * same_bits::cos(half) * beam.axis,
+                   other = cross(beam.axis, beam.left);
   for (int k = 0; k < kRim; ++k) {
     const double angle = 2 * std::numbers::pi * k / kRim;
-    shape.rim.push_back(middle + beam.arm * std::sin(half) * (std::cos(angle) * beam.left + std::sin(angle) * other));
+    shape.rim.push_back(middle + beam.arm * same_bits::sin(half) *
+                                     (same_bits::cos(angle) * beam.left + same_bits::sin(angle) * other));
   }
   return shape;
 }

@@ -9,6 +9,7 @@
 #include "geometry/scene_names.h"
 #include "geometry/space/scene/light_place_problem.h"
 #include "geometry/space/visibility/direction.h"
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -19,7 +20,7 @@ namespace {
 double signed_angle(const Direction3& a, const Direction3& b, const Direction3& c) {
   const double la = length(a), lb = length(b), lc = length(c);
   const double below = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
-  return std::atan2(dot(a, cross(b, c)), below) / (2 * std::numbers::pi);
+  return same_bits::atan2(dot(a, cross(b, c)), below) / (2 * std::numbers::pi);
 }
 
 // How often a mesh winds around a point: by fans over the sides of its polygons, each in its sense.

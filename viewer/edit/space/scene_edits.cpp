@@ -14,6 +14,7 @@
 #include "geometry/space/scene/patches.h"
 #include "geometry/space/scene/validation.h"
 #include "kernel/exact_double.h"
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 #include "viewer/edit/decimals.h"
 #include "viewer/edit/free_names.h"
@@ -115,7 +116,7 @@ Scene3 end_edit_of_polygons(Scene3 scene) {
 std::array<Rational, 2> exact_turn(const Rational& degrees) {
   constexpr double kSteps = 1 << 24;  // of the tangent of half the angle
   const double half = to_double(degrees) * std::numbers::pi / 360;
-  const Rational t = Rational(exact_value(std::round(std::tan(half) * kSteps))) / exact_value(kSteps);
+  const Rational t = Rational(exact_value(std::round(same_bits::tan(half) * kSteps))) / exact_value(kSteps);
   return {(1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)};
 }
 

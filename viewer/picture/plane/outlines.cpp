@@ -8,6 +8,7 @@
 
 #include "geometry/patch_bases.h"
 #include "geometry/plane/scene/patches.h"
+#include "kernel/plain_functions.h"
 
 namespace hottel {
 namespace {
@@ -17,7 +18,7 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 double direction(const Corners2& corners, std::uint32_t surface) {
   const Pixel a = corners.at[corners.from[surface]], b = corners.at[corners.to[surface]];
-  return std::atan2(b.y - a.y, b.x - a.x);
+  return same_bits::atan2(b.y - a.y, b.x - a.x);
 }
 
 struct Extent {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "kernel/plain_functions.h"
+
 namespace hottel {
 namespace {
 
@@ -25,8 +27,8 @@ Stripes2::Stripes2(const Corners2& corners, std::vector<bool> is_striped, double
   std::vector<std::uint32_t> next = first_ray_;
   for (std::uint32_t s = 0; s < corners.surfaces(); ++s) {
     const Pixel a = corners.at[corners.from[s]], b = corners.at[corners.to[s]];
-    rays_[next[corners.from[s]]++] = {std::atan2(b.y - a.y, b.x - a.x), s, true};
-    rays_[next[corners.to[s]]++] = {std::atan2(a.y - b.y, a.x - b.x), s, false};
+    rays_[next[corners.from[s]]++] = {same_bits::atan2(b.y - a.y, b.x - a.x), s, true};
+    rays_[next[corners.to[s]]++] = {same_bits::atan2(a.y - b.y, a.x - b.x), s, false};
   }
   for (std::size_t v = 0; v + 1 < first_ray_.size(); ++v)
     std::sort(rays_.begin() + first_ray_[v], rays_.begin() + first_ray_[v + 1],
@@ -59,8 +61,8 @@ double Stripes2::shortening(std::uint32_t edge, bool at_from) const {
     if (wedge == 0) wedge = angle;
     meets_stripe |= striped(ray, turn);
   }
-  if (meets_stripe) return std::max(thickness_ / std::tan(wedge / 2), -kFarthestMitre * thickness_);
-  return wedge > 0 && wedge < std::numbers::pi / 2 ? thickness_ / std::tan(wedge) : 0;
+  if (meets_stripe) return std::max(thickness_ / same_bits::tan(wedge / 2), -kFarthestMitre * thickness_);
+  return wedge > 0 && wedge < std::numbers::pi / 2 ? thickness_ / same_bits::tan(wedge) : 0;
 }
 
 std::array<Pixel, 4> Stripes2::stripe(std::uint32_t edge) const {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "io/results/plane/visibility_report.h"
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/palette.h"
@@ -83,7 +84,7 @@ void draw_ring(PictureCanvas& canvas, Mark mark, Pixel at, double radius, const 
 double turn(const Point2& eye, const Point2& from, const Point2& to) {
   const Rational ax = from.x - eye.x, ay = from.y - eye.y, bx = to.x - eye.x, by = to.y - eye.y;
   const Rational cross = ax * by - ay * bx, dot = ax * bx + ay * by;
-  const double angle = std::atan2(std::abs(to_double(cross)), to_double(dot));
+  const double angle = same_bits::atan2(std::abs(to_double(cross)), to_double(dot));
   return cross > 0 || (cross == 0 && dot < 0) ? angle : 2 * std::numbers::pi - angle;
 }
 
@@ -93,11 +94,11 @@ void add_sky(const Point2& eye, const Point2& from, const Point2& to, double dis
              std::vector<std::array<double, 2>>& polygon) {
   const auto [x, y] = to_doubles(eye);
   const auto [from_x, from_y] = to_doubles(from);
-  const double whole = turn(eye, from, to), begin = std::atan2(from_y - y, from_x - x);
+  const double whole = turn(eye, from, to), begin = same_bits::atan2(from_y - y, from_x - x);
   const int steps = 1 + static_cast<int>(whole / (std::numbers::pi / 3));
   for (int k = 0; k <= steps; ++k) {
     const double angle = begin + whole * k / steps;
-    polygon.push_back({x + distance * std::cos(angle), y + distance * std::sin(angle)});
+    polygon.push_back({x + distance * same_bits::cos(angle), y + distance * same_bits::sin(angle)});
   }
 }
 

@@ -1,9 +1,10 @@
 #include "viewer/picture/space/border_lines.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <utility>
+
+#include "kernel/plain_functions.h"
 
 namespace hottel {
 namespace {
@@ -37,7 +38,7 @@ BorderPart3 part_of(const BorderLines3::Border& border) {
 
 BorderLines3::BorderLines3(const PreparedScene3& prepared, const Point3& eye, std::span<const Face> seen,
                            double round_bend)
-    : least_cosine_(std::cos(round_bend * std::numbers::pi / 180) - 1e-9) {
+    : least_cosine_(same_bits::cos(round_bend * std::numbers::pi / 180) - 1e-9) {
   for (const Face& face : seen) add_side(prepared, eye, face);
   for (std::size_t k = 0; k < borders_.size(); ++k) borders_[k].drawn = drawn_of(k);
 }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "geometry/space/visibility/convex_cut.h"
+#include "kernel/plain_functions.h"
 #include "solver/space/light/scene_lights.h"
 #include "viewer/picture/space/gathered_view.h"
 #include "viewer/picture/space/projection.h"
@@ -88,14 +89,14 @@ class Sender {
     const Direction3 to_light = place_ - way;
     const double squared = dot(to_light, to_light), distance = std::sqrt(squared);
     const double intensity =
-        falloff_ > 0 ? axial_ * std::pow(std::max(0.0, -dot(to_light, axis_) / distance), falloff_) : axial_;
+        falloff_ > 0 ? axial_ * same_bits::pow(std::max(0.0, -dot(to_light, axis_) / distance), falloff_) : axial_;
     return intensity * std::max(0.0, dot(to_light, normal)) / (squared * distance);
   }
 
   // How far within the border of the beam a place is. [radians]
   double within(const Direction3& way) const {
     const Direction3 out = way - place_;
-    return reach_ - std::atan2(length(cross(out, axis_)), dot(out, axis_));
+    return reach_ - same_bits::atan2(length(cross(out, axis_)), dot(out, axis_));
   }
 
  private:

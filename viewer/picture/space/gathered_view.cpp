@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/space/visibility/convex_cut.h"
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
@@ -199,7 +200,7 @@ class GatheredView {
 
   std::vector<SeenCell> first_cells() {
     std::vector<SeenCell> result;
-    const double side = std::exp2(std::ceil(std::log2(std::max(camera_.width, camera_.height))));
+    const double side = std::exp2(std::ceil(same_bits::log2(std::max(camera_.width, camera_.height))));
     for (std::uint32_t k = 0; k < seen_.size(); ++k) {
       if (seen_[k].element)
         add_cells({k, seen_[k].outline, {0, 0}, {side, side}}, result);

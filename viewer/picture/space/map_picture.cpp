@@ -9,6 +9,7 @@
 #include "geometry/space/scene/scene.h"
 #include "geometry/space/visibility/convex_cut.h"
 #include "geometry/space/visibility/visibility_map.h"
+#include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/colour_map.h"
@@ -45,11 +46,13 @@ struct PieceSide {
   double angle;
 };
 
-double angle_between(const Direction3& a, const Direction3& b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
+double angle_between(const Direction3& a, const Direction3& b) {
+  return same_bits::atan2(length(cross(a, b)), dot(a, b));
+}
 
 Direction3 along(const PieceSide& side, double angle) {
   const Direction3 across = cross(side.normal, side.from);
-  return unit(std::cos(angle) * side.from + std::sin(angle) * across);
+  return unit(same_bits::cos(angle) * side.from + same_bits::sin(angle) * across);
 }
 
 std::vector<PieceSide> sides_of(const MapPiece3& piece) {
@@ -69,7 +72,7 @@ void add_outline(const PieceSide& side, const std::vector<PieceSide>& others, st
   for (const PieceSide& other : others) {
     if (length(side.normal + other.normal) > kOneCircle) continue;
     const Direction3 across = cross(side.normal, side.from);
-    const double end = std::atan2(dot(other.from, across), dot(other.from, side.from));  // it runs the other way
+    const double end = same_bits::atan2(dot(other.from, across), dot(other.from, side.from));  // it runs the other way
     for (const double turn : {0.0, 2 * std::numbers::pi}) covered.emplace_back(end + turn - other.angle, end + turn);
   }
   std::sort(covered.begin(), covered.end());
@@ -99,8 +102,8 @@ void add_arc(const Direction3& a, const Direction3& b, double step, std::vector<
   const int count = std::max(1, static_cast<int>(std::ceil(angle / step)));
   for (int k = 0; k < count; ++k) {
     const double t = static_cast<double>(k) / count;
-    const double left = angle > 1e-9 ? std::sin((1 - t) * angle) / std::sin(angle) : 1 - t;
-    const double right = angle > 1e-9 ? std::sin(t * angle) / std::sin(angle) : t;
+    const double left = angle > 1e-9 ? same_bits::sin((1 - t) * angle) / same_bits::sin(angle) : 1 - t;
+    const double right = angle > 1e-9 ? same_bits::sin(t * angle) / same_bits::sin(angle) : t;
     points.push_back(unit(left * a + right * b));
   }
 }

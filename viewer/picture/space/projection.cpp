@@ -1,10 +1,10 @@
 #include "viewer/picture/space/projection.h"
 
 #include <array>
-#include <cmath>
 #include <numbers>
 
 #include "geometry/space/visibility/convex_cut.h"
+#include "kernel/plain_functions.h"
 
 namespace hottel {
 
@@ -18,7 +18,7 @@ Projection3::Projection3(const Camera3& camera) : width_(camera.width), height_(
   const Direction3 up{to_double(camera.up.x), to_double(camera.up.y), to_double(camera.up.z)};
   right_ = unit(cross(forward_, up));
   up_ = cross(right_, forward_);
-  half_height_ = std::tan(to_double(camera.field_of_view) * (std::numbers::pi / 360));
+  half_height_ = same_bits::tan(to_double(camera.field_of_view) * (std::numbers::pi / 360));
   half_width_ = half_height_ * width_ / height_;
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "kernel/exact_double.h"
+#include "kernel/plain_functions.h"
 
 namespace hottel {
 namespace {
@@ -18,7 +19,8 @@ double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
 
 // Turned about an axis that is 1 long.
 Direction3 about(const Direction3& axis, const Direction3& v, double angle) {
-  return std::cos(angle) * v + std::sin(angle) * cross(axis, v) + (1 - std::cos(angle)) * dot(axis, v) * axis;
+  return same_bits::cos(angle) * v + same_bits::sin(angle) * cross(axis, v) +
+         (1 - same_bits::cos(angle)) * dot(axis, v) * axis;
 }
 
 }  // namespace
@@ -37,7 +39,7 @@ EyeCamera3::EyeCamera3(const Camera3& camera, double size)
 // The way that is looked, turned by angles, but not up or down all the way.
 Direction3 EyeCamera3::turned(double right_degrees, double up_degrees) const {
   const Direction3 way = about(up_, forward(), radians(-right_degrees));
-  const double now = std::acos(std::clamp(dot(way, up_), -1.0, 1.0));  // from up
+  const double now = same_bits::acos(std::clamp(dot(way, up_), -1.0, 1.0));  // from up
   const double then = std::clamp(now - radians(up_degrees), radians(kLeastAngle), radians(180 - kLeastAngle));
   return unit(about(unit(cross(way, up_)), way, now - then));
 }
@@ -72,13 +74,13 @@ void EyeCamera3::walk(double forward_length, double right_length, double up_leng
 
 double EyeCamera3::half_height(FrameSize frame) const {
   const double narrower = std::clamp(aspect_ * frame.height / frame.width, 1.0, kMostWidening);
-  return narrower * std::tan(radians(to_double(field_of_view_)) / 2);
+  return narrower * same_bits::tan(radians(to_double(field_of_view_)) / 2);
 }
 
 Rational EyeCamera3::field_of_view(FrameSize frame) const {
   const double half = half_height(frame);
-  if (half == std::tan(radians(to_double(field_of_view_)) / 2)) return field_of_view_;
-  return exact_value(2 * std::atan(half) * (180 / std::numbers::pi));
+  if (half == same_bits::tan(radians(to_double(field_of_view_)) / 2)) return field_of_view_;
+  return exact_value(2 * same_bits::atan(half) * (180 / std::numbers::pi));
 }
 
 double EyeCamera3::length_of_pixel(FrameSize frame) const { return 2 * distance() * half_height(frame) / frame.height; }
