@@ -64,8 +64,8 @@ Two long_quotient(const Two& a, const Two& b) {
 // The angle of (more, less), 0 <= less <= more, seen from a direction. REQUIRES: `more` is of a size that loses
 // nothing, and less is 0 or not below 2^-200 of it.
 double angle_from(int direction, double less, double more) {
-  const auto i = static_cast<std::size_t>(less / more * kAngleEntries + 0.5);
-  const double c = static_cast<double>(i) * (1.0 / kAngleEntries);
+  const int i = static_cast<int>(less / more * kAngleEntries + 0.5);
+  const double c = i * (1.0 / kAngleEntries);
   const double mh = upper_half(more), ml = more - mh, lh = upper_half(less), ll = less - lh;
   // What is lost of both sums is exact: so few are the bits of c.
   const double first = less - c * more, second = more + c * less;
@@ -74,7 +74,7 @@ double angle_from(int direction, double less, double more) {
   const double square = s.hi * s.hi;
   const double bent = s.hi * square * (1.0 / 3 - square * (1.0 / 5 - square * (1.0 / 7 - square * (1.0 / 9))));
   const double sign = direction == 1 || direction == 2 ? -1 : 1;
-  const Two& base = kAngles.base[static_cast<std::size_t>(direction)][i];
+  const Two& base = kAngles.base[static_cast<std::size_t>(direction)][static_cast<std::size_t>(i)];
   const Two sum = ordered_sum(base.hi, sign * s.hi);
   return sum.hi + (sum.lo + (base.lo + sign * (s.lo - bent)));
 }

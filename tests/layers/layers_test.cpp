@@ -217,8 +217,8 @@ std::vector<std::string> symbols_of(const fs::path& object, const std::string& o
 TEST(Layers, LogarithmsAndAnglesAreOurOwn) {
   const std::regex of_library(
       R"re( U (a?(sin|cos|tan)h?|atan2|sincos|exp|expm1|pow|log(2|10|1p)?|[tl]gamma|erfc?)f?(@.*)?$)re");
-  // CGAL's headers call them, for nothing that is printed.
-  const std::set<std::string> allowed;
+  // CGAL asks how deep to divide boxes, and Boost where to begin looking for a node of a rule.
+  const std::set<std::string> allowed{"meeting_boxes.cpp.o", "gauss_rule.cpp.o"};
   std::size_t objects = 0;
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(HOTTEL_BINARY_DIR) / "CMakeFiles")) {
     const fs::path path = entry.path();
