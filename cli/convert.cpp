@@ -121,7 +121,8 @@ void convert_scene(const ConvertOptions& options, Streams& streams) {
   const auto* space = std::get_if<Scene3>(&scene);
   if (const auto format = mesh_format_3(options.out)) {
     if (space == nullptr)
-      throw InputError({options.in, 0}, "the scene is in the plane (dimension 2); a mesh is in space");
+      throw InputError({options.in, 0},
+                       "the scene is in the plane (dimension 2); a mesh is in space: write .json or .hs");
     return write_as_mesh(options, *format, *space, streams);
   }
   if (space && !is_binary_scene_name(options.out)) note_lost_planes(*space, streams);

@@ -322,7 +322,7 @@ TEST(FoundFiles, ALeakIsWhereTheGapIsWidest) {
   EXPECT_EQ(outcome.code, 1);
   const std::string first = lines_of(outcome.out).at(0);
   EXPECT_THAT(first, HasSubstr("error: not-closed at (2, 0, 2"));
-  EXPECT_THAT(first, HasSubstr("lies on nothing, and '"));
+  EXPECT_THAT(first, HasSubstr("lies on nothing; the nearest other surface, '"));
   EXPECT_THAT(first, HasSubstr("is 0.001 away from its middle"));
   EXPECT_THAT(first, HasSubstr("'door'"));
   EXPECT_THAT(first, Not(HasSubstr("edge of 'lamp'")));

@@ -52,7 +52,7 @@ TEST(GenerateInSpace, AMeshHasTheSamePolygonsAndMaterials) {
     const Outcome outcome = place.run(command(kind, "--quiet -o a.json") + " && " + command(kind, "-o a.obj") +
                                       " && hottel convert a.obj b.json");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_THAT(outcome.err, HasSubstr("not in the file")) << kind.name;  // the camera, the sky, ...
+    EXPECT_THAT(outcome.err, HasSubstr("not kept in the file")) << kind.name;  // the camera, the sky, ...
     EXPECT_THAT(place.read("a.obj"), HasSubstr("mtllib a.mtl"));
     auto scene = nlohmann::json::parse(place.read("a.json"));
     const auto mesh = nlohmann::json::parse(place.read("b.json"));

@@ -64,7 +64,7 @@ TEST(MeshConvert, MeshesThatCannotBeWrittenLeaveWhatWasThere) {
     "polygons": [{"points": [[0, 0, 0], [1e39, 0, 0], [0, 1, 0]], "material": "m"}]})");
   const Outcome plane = place.run("hottel convert plane.json old.stl");
   EXPECT_EQ(plane.code, 3);
-  EXPECT_THAT(plane.err, StartsWith("plane.json:1: the scene is in the plane (dimension 2)"));
+  EXPECT_THAT(plane.err, StartsWith("plane.json: the scene is in the plane (dimension 2)"));
   const Outcome large = place.run("hottel convert large.json old.stl");
   EXPECT_EQ(large.code, 1);
   EXPECT_THAT(large.err, StartsWith("large.json: the coordinate 1e+39 is beyond the largest float"));

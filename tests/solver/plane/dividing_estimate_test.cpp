@@ -148,7 +148,7 @@ TEST(DividingEstimate2, SaysWhyThereIsNone) {
   request.method = methods_2().make("center");
   const DividingEstimate other = *Simulation2(divided_by(square, 4), request).dividing();
   EXPECT_FALSE(other.channels[0].pointwise);
-  EXPECT_THAT(other.why_no_pointwise, HasSubstr("not exact"));
+  EXPECT_THAT(other.why_no_pointwise, HasSubstr("the factors are approximate"));
   EXPECT_TRUE(other.channels[0].face_means);
 }
 

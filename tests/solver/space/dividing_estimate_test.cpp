@@ -104,7 +104,7 @@ TEST(DividingEstimate3, SaysWhyThereIsNone) {
   const DividingEstimate other =
       *Simulation3(divided, {.factors = {.method = methods_3().make("points:1"), .granularity = Granularity::kElement}})
            .dividing();
-  EXPECT_THAT(other.why_no_pointwise, HasSubstr("not exact"));
+  EXPECT_THAT(other.why_no_pointwise, HasSubstr("the factors are approximate"));
   EXPECT_TRUE(other.channels[0].face_means);
 }
 
