@@ -14,7 +14,7 @@
 #include "geometry/space/hiding/hiders.h"
 #include "geometry/space/pairs/pair_details.h"
 #include "geometry/space/pairs/patch_halves.h"
-#include "tests/oracle/space/nearest_polygon.h"
+#include "tests/oracle/space/filtered_rays.h"
 
 namespace hottel::storm {
 
@@ -100,7 +100,7 @@ void send_rays(const HidingSubject3& subject, const SpacePolygon& patch, std::ui
   const Polygons3& polygons = subject.with_sky();
   for (int e = 0; e < kEyes; ++e) {
     const SpacePoint eye = draw.within(patch), front = oracle::normal_of(patch);
-    const oracle::RayCaster cast(polygons, eye);
+    oracle::FilteredRayCaster cast(polygons, eye);
     for (int k = 0; k < kRaysOfEye; ++k) {
       const SpacePoint way = draw.below(3) == 0
                                  ? draw.way()
@@ -208,7 +208,7 @@ class BodyCheck {
   }
 
   std::string leaves_wrongly(const Way& way) const {
-    const oracle::NearestPolygon met = oracle::RayCaster(surfaces_, way.eye)(way.direction);
+    const oracle::NearestPolygon met = oracle::FilteredRayCaster(surfaces_, way.eye)(way.direction);
     if (!met.is_plain) return "";
     const std::optional<mpq_class> to_lid = body_.lid ? distance(*body_.lid, way) : std::nullopt;
     std::optional<mpq_class> nearest;
