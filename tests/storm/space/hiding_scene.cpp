@@ -77,10 +77,9 @@ class Scenes {
   bool add(SpacePolygon polygon) {
     if (polygons_.size() >= (is_town_ ? kMostOfTown : kMostPolygons)) return false;
     if (below(3) == 0) std::reverse(polygon.begin(), polygon.end());
+    if (!stays_valid_3(polygons_, polygon)) return false;
     polygons_.push_back(std::move(polygon));
-    if (is_valid_3(polygons_)) return true;
-    polygons_.pop_back();
-    return false;
+    return true;
   }
 
   static SpacePoint at(std::size_t axis, const mpq_class& height, const mpq_class& u, const mpq_class& v) {

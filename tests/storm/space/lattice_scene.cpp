@@ -39,10 +39,9 @@ class Scenes {
   const SpacePolygon& any() { return polygons_[static_cast<std::size_t>(below(static_cast<long>(polygons_.size())))]; }
 
   bool add(SpacePolygon polygon) {
+    if (!stays_valid_3(polygons_, polygon)) return false;
     polygons_.push_back(std::move(polygon));
-    if (is_valid_3(polygons_)) return true;
-    polygons_.pop_back();
-    return false;
+    return true;
   }
 
   void add_triangles() {
@@ -283,6 +282,16 @@ double nudge_3(Polygons3& polygons, std::uint64_t chance) {
   if (nudged == polygons || !is_valid_3(nudged)) return 0;
   polygons = std::move(nudged);
   return std::sqrt(3.0) * size.get_d();
+}
+
+bool stays_valid_3(const Polygons3& polygons, const SpacePolygon& added) {
+  std::vector<Polygon3> of_its_plane = oracle::engine_polygons({added});
+  if (!polygon_problem(of_its_plane[0]).text.empty()) return false;
+  const PlaneFrame3 frame(of_its_plane[0].points);
+  for (Polygon3& other : oracle::engine_polygons(polygons))
+    if (const PlaneFrame3 its(other.points); !its.precedes(frame) && !frame.precedes(its))
+      of_its_plane.push_back(std::move(other));
+  return coplanar_clusters(of_its_plane).size() == of_its_plane.size();
 }
 
 bool is_valid_3(const Polygons3& polygons) {

@@ -31,5 +31,7 @@ double nudge_3(Polygons3& polygons, std::uint64_t chance);
 
 // Is each of the polygons one, and do no two of them share an area of one plane?
 bool is_valid_3(const Polygons3& polygons);
+// Whether that is so with one more. REQUIRES is_valid_3(polygons).
+bool stays_valid_3(const Polygons3& polygons, const oracle::SpacePolygon& added);
 
 }  // namespace hottel::storm

@@ -120,6 +120,29 @@ TEST(LatticeScene3, IsValidAndTheSameForItsNumber) {
   }
 }
 
+// One polygon more: any of another scene, one that is there already, and halves of one there.
+TEST(LatticeScene3, StaysValidWhereItIsValidWithOneMore) {
+  int valid = 0, others = 0;
+  const auto compare = [&](Polygons3 polygons, const oracle::SpacePolygon& added) {
+    const bool stays = stays_valid_3(polygons, added);
+    polygons.push_back(added);
+    EXPECT_EQ(stays, is_valid_3(polygons));
+    ++(stays ? valid : others);
+  };
+  for (std::uint64_t number = 0; number < 60; ++number) {
+    const Polygons3 polygons = lattice_scene_3(number).polygons;
+    for (const oracle::SpacePolygon& added : lattice_scene_3(number + 1).polygons) compare(polygons, added);
+    const oracle::SpacePolygon& first = polygons[0];
+    const oracle::SpacePoint across = first[1] - first[0];
+    compare(polygons, first);
+    compare(polygons, {first[2], first[1], first[0]});
+    compare(polygons, {first[0], first[1], first[1] - oracle::SpacePoint{-across.x, -across.y, -across.z}});
+    compare({polygons.begin() + 1, polygons.end()}, first);
+  }
+  EXPECT_GT(valid, 100);
+  EXPECT_GT(others, 100);
+}
+
 TEST(LatticeScene3, IsNudgedByNoMoreThanItSays) {
   int nudged = 0;
   for (std::uint64_t number = 0; number < 50; ++number) {
