@@ -225,15 +225,14 @@ Scene3 warm_scene(const SolidBodies3& bodies) {
 RoomSubject3::RoomSubject3(SolidBodies3 bodies, std::uint64_t chance)
     : bodies_(std::move(bodies)), chance_(chance), scene_(warm_scene(bodies_)) {
   validate(scene_);
-  std::optional<PreparedScene3> prepared;
   try {
-    prepared = prepare(scene_);
+    prepared_ = std::make_shared<const PreparedScene3>(prepare(scene_));
   } catch (const InputError&) {
     is_disputed_ = true;
     return;
   }
   for (std::size_t t = 0; t < 2; ++t) try {
-      matrices_[t] = matrix_of(*prepared, kRoomTolerances3[t]);
+      matrices_[t] = std::make_shared<const ExchangeMatrix>(matrix_of(*prepared_, kRoomTolerances3[t]));
     } catch (const RequestError& error) {
       refusals_[t] = error.what();
     }

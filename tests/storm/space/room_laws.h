@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,6 +33,9 @@ class RoomSubject3 {
   // REQUIRE that it is.
   const ExchangeMatrix& loose() const { return *matrices_[0]; }
   const ExchangeMatrix& tight() const { return *matrices_[1]; }
+  // The scene prepared, and loose(), for who keeps them. The first REQUIRES that it is not disputed.
+  const std::shared_ptr<const PreparedScene3>& prepared() const { return prepared_; }
+  const std::shared_ptr<const ExchangeMatrix>& loose_shared() const { return matrices_[0]; }
 
  private:
   SolidBodies3 bodies_;
@@ -40,7 +43,8 @@ class RoomSubject3 {
   Scene3 scene_;
   bool is_disputed_ = false;
   std::string refusals_[2];
-  std::optional<ExchangeMatrix> matrices_[2];
+  std::shared_ptr<const PreparedScene3> prepared_;
+  std::shared_ptr<const ExchangeMatrix> matrices_[2];
 };
 
 struct RoomLaw3 {
