@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -17,15 +18,15 @@
 
 namespace {
 
-// The laws of this name, all where there is none.
+// The laws, or the one of a name, or all but the one of a name.
 template <class Law>
-std::vector<Law> laws_named(const std::string& name, std::vector<Law> all) {
-  if (name.empty()) return all;
-  std::erase_if(all, [&](const Law& law) { return law.name != name; });
-  if (all.empty()) {
-    fmt::print(stderr, "hottel_storm: there is no law called {}\n", name);
-    std::exit(2);
-  }
+std::vector<Law> chosen_laws(std::vector<Law> all, const std::string& only, const std::string& without) {
+  for (const std::string& name : {only, without})
+    if (!name.empty() && std::none_of(all.begin(), all.end(), [&](const Law& law) { return law.name == name; })) {
+      fmt::print(stderr, "hottel_storm: there is no law called {}\n", name);
+      std::exit(2);
+    }
+  std::erase_if(all, [&](const Law& law) { return law.name == without || (!only.empty() && law.name != only); });
   return all;
 }
 
@@ -65,7 +66,9 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0, 100));
   app.add_option("--threads", options.threads)->capture_default_str()->check(CLI::Range(1, 4096));
   std::string law;
-  app.add_option("--law", law, "this one alone")->type_name("NAME");
+  CLI::Option* only = app.add_option("--law", law, "this one alone")->type_name("NAME");
+  std::string without;
+  app.add_option("--without", without, "all laws but this one")->type_name("NAME")->excludes(only);
   app.add_flag("--all", options.all_laws, "every law on every scene");
   bool prints = false;
   app.add_flag("--print", prints, "of rooms: write the first scene, and hold it against nothing")->needs(rooms);
@@ -95,7 +98,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "\r{} of {} scenes, {:.0f} s left  ", done, options.scenes, left);
   };
   const auto hold = [&](const auto& all, const auto& run) {
-    const auto laws = laws_named(law, all);
+    const auto laws = chosen_laws(all, law, without);
     return tell(run(options, laws), laws, start, options.threads);
   };
   if (are_solids) return hold(solid_laws_3(), run_solid_storm_3);
