@@ -144,7 +144,7 @@ TEST(LightOverManyDecades, IsNotedByNameWhereRelativeAccuracyIsLost) {
   EXPECT_GT(widest(wide), 1);
   ASSERT_EQ(wide.notes.size(), 1u);
   EXPECT_THAT(wide.notes[0], HasSubstr("relative accuracy is lost in "));
-  EXPECT_THAT(wide.notes[0], HasSubstr(" radiosities far below the brightest: '"));
+  EXPECT_THAT(wide.notes[0], HasSubstr(" radiosities far below the brightest: the bounds of '"));
   EXPECT_THAT(wide.notes[0], HasSubstr("the bounds of 'low' are "));
   for (std::uint32_t i = 0; i < scene.matrix().size(); ++i) {
     const ElementRadiosity &a = narrow.channels[0].elements[i], &b = wide.channels[0].elements[i];
