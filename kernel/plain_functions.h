@@ -13,15 +13,15 @@
 //   (3) special values are those of the C standard: NaN of NaN, log(0) = -inf, exp(-inf) = 0, the signs of zeros
 //
 // REQUIRES: rounding to nearest.
-// COST: logarithms and exponentials 5 to 7 ns where others are computed beside them, log1p, sines and cosines 13 ns,
+// COST, of one of many independent calls: logarithms and exponentials 5 to 7 ns, log1p, sines and cosines 13 ns,
 // angles 20 ns, powers 25 ns, tangents and acos 30 ns. The library's take 6 to 8, 10, 8 to 14, 15 and 8 ns. SEE: Tang,
 // Table-driven implementation of the logarithm function in IEEE floating-point arithmetic, 1990, and of the exponential
-// function, 1989. What is left of the number beside an entry of a table is exact, or held in two doubles.
+// function, 1989. What remains of x after the entry of the table is taken out is exact, or held in two doubles.
 namespace hottel::same_bits {
 
 // The natural logarithm. Off by at most 0.51 units.
 double log(double x);
-// To the bases 2 and 10: exact of powers of these. Off by at most 0.51 units.
+// To the bases 2 and 10: exact for powers of the base. Off by at most 0.51 units.
 double log2(double x);
 double log10(double x);
 // log(1 + x), also where x is small. Off by at most 0.7 units.
@@ -32,8 +32,8 @@ double exp(double x);
 // exp(x) - 1, also where x is small. Off by at most 0.62 units.
 double expm1(double x);
 
-// x to the power of y: exact of 10 up to 10^22. Off by at most 0.57 units, 0.8 where the result is subnormal.
-// REQUIRES: x is not negative; NaN of others.
+// x to the power of y: exact for powers of 10 up to 10^22. Off by at most 0.57 units, 0.8 where the result is
+// subnormal. NaN if x is negative, also where the C function has a value.
 double pow(double x, double y);
 
 // The angle of the vector (x, y) in [-pi, pi]. Off by at most 0.51 units.
@@ -49,8 +49,8 @@ double cos(double x);
 // Off by at most 2 units.
 inline double tan(double x) { return sin(x) / cos(x); }
 
-// For templates over kinds of reals: those of long doubles are of the
-// processor's own unit for them, whichever the library finds.
+// For templates over kinds of reals. These are calls of the C library, whose long doubles are computed by instructions
+// of the processor: the same bits on processors that round these alike.
 inline long double log(long double x) { return std::log(x); }
 inline long double atan(long double x) { return std::atan(x); }
 inline long double atan2(long double y, long double x) { return std::atan2(y, x); }

@@ -15,29 +15,29 @@ struct PlannedEffect {
   bool used = false;
   std::string reason;
   double seconds_estimate = 0;  // on one core; 0 when not used
-  bool is_simulated = true;     // else this version does not simulate it, whatever the scene calls for: it is not used
+  bool is_simulated = true;     // else this release of hottel cannot simulate it, and it is never used
 };
 
 // What is asked beyond the scene itself.
 struct PlanRequest {
-  bool everything = false;        // --simulate everything: every effect is used, whatever the scene says
+  bool everything = false;        // --simulate everything: every effect that hottel can simulate is used
   std::uint64_t grid_cells = 0;   // cells of the illumination grids; 0: none is wanted
-  std::uint64_t grid_pixels = 0;  // in the plane, of the pictures of these grids; 0: as many as of a square one
+  std::uint64_t grid_pixels = 0;  // in the plane: of the pictures of these grids in all; 0: of a square one
   bool is_average = false;        // the illumination is that of cells, not of their centres
   bool is_gathered = false;       // in space: the light of the picture is gathered
-  std::uint64_t texels = 0;       // in space: points of a face at which light is gathered beside
-  bool has_picture = true;        // a picture is drawn; in the plane of the light where there are cells, else of faces
+  std::uint64_t texels = 0;       // in space: of the lightmaps that are asked for, in all
+  bool has_picture = true;        // a picture is drawn: in the plane of light if grid_cells > 0, else of faces
   friend bool operator==(const PlanRequest&, const PlanRequest&) = default;
 };
 
-// True iff some surface is divided: then rows are those of elements.
+// True iff some surface is divided into elements. In the plane rows are then those of elements by default.
 bool is_divided(const SceneTable& scene);
 
 // The effects in the order in which they are simulated.
 //
-//   (1) an effect is left out only where it cannot change any number: with everything used the results are the same,
-//       bit for bit where exact, within enclosures elsewhere; or where this version does not simulate it
-//   (2) the names are those below, each once at most: a scene in the plane has no exchange and groups of its own
+//   (1) an effect that hottel can simulate is left out only where it makes no difference: with everything used exact
+//       results are the same bit for bit, and others differ only within their enclosures
+//   (2) the names are those below, each once at most; plans of scenes in the plane do not list kExchange and kGroups
 //   (3) seconds_estimate is 0 for an effect that is not used
 class Plan {
  public:

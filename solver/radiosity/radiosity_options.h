@@ -1,4 +1,4 @@
-// How radiosities are to be solved for, and how it is decided what the light of lamps reaches.
+// How radiosities are solved for, and how it is decided which elements the scene's lights reach.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,14 @@
 
 namespace hottel {
 
-// kAuto:      cholesky for components of up to kMostDenseUnknowns, else cg; where rows do not sum to 1 lu for so many
-//             unknowns in all, in single precision for more (single_precision_lu.h), else bicgstab; refined
+// kAuto:      where rows sum to 1, cholesky for each component of at most kMostDenseUnknowns unknowns, cg for larger
+//             ones. Elsewhere, by the number of all unknowns: lu up to kMostDenseUnknowns; LU in single precision
+//             (single_precision_lu.h) up to 900, or 2000 if serves_many; bicgstab beyond. Refined in every case
 // kCholesky:  symmetric elimination without subtraction, refined in double-double
 // kCg:        conjugate gradients, refined in double-double
 // kShooting:  progressive refinement: the face with the most unshot light shoots (an iteration is one shot)
-// The others are what their names say, in plain doubles, as they are. Every result is certified alike.
+// The others are the methods of these names in plain doubles, not refined. Bounds are proven for every result in the
+// same way, whatever the solver.
 enum class Solver { kAuto, kCholesky, kCg, kLu, kBicgstab, kJacobi, kGaussSeidel, kShooting };
 
 inline constexpr std::uint32_t kMostDenseUnknowns = 500;
@@ -26,11 +28,11 @@ std::optional<Solver> solver_named(std::string_view name);  // "auto", "cholesky
 struct RadiosityOptions {
   Solver solver = Solver::kAuto;
   // Iterative solvers stop after so many iterations, or when |residual| <= until * (largest source of the component)
-  // everywhere. When either is given, cg is not refined either. Default: 1e-12, 10,000 iterations (100,000 shots).
+  // everywhere. If one of the two is given, cg is not refined. Default: 1e-12, 10,000 iterations (100,000 shots).
   std::optional<int> iterations = {};
   std::optional<double> until = {};
-  // One light after another will be solved for: kAuto then factors up to 2000 unknowns whose rows do not sum to 1, of
-  // which it would factor 900 for one light (4 n^2 bytes for each distinct reflectivity vector).
+  // One light after another will be solved for. Where rows do not sum to 1, kAuto then uses LU up to 2000 unknowns in
+  // place of 900 (4 n^2 bytes for each distinct reflectivity vector).
   bool serves_many = false;
   std::function<void(double)> progress = {};  // fraction done; may throw to stop
 };
@@ -38,13 +40,14 @@ struct RadiosityOptions {
 // How it is decided which elements the light of a point light or a beam reaches.
 // kExact: what the light sees, cut at borders of beams and shadows: shares within proven bounds.
 // The others look at a few points of each element, as old programs do, and cut nothing: estimates, to compare with.
-// With G = I0 cos^n t cos u / r^(d-1) at the centroid, u the angle between its normal and the way to the light, d the
+// With G = I0 cos^n t cos u / r^(d-1) at the centroid: I0 the intensity on the axis, n the exponent of the beam, t the
+// angle from the axis, u the angle between the normal of the element and the way to the light, r the distance, d the
 // dimension:
 //   kCentroid  Phi = A G where the centroid is in the beam and seen, else 0
 //   kVertices  Phi = A G times the vertices that are in the beam and seen over all of them; G whether or not the
 //              centroid is in the beam, but 0 where n > 0 and t is beyond 90 degrees
-// On the border of the beam is in it; what is in the beam and what is seen is decided exactly. Behind an element, and
-// in its plane, Phi = 0.
+// A point on the border of the beam is in it; what is in the beam and what is seen is decided exactly. An element that
+// the light is behind, or in the plane of, has Phi = 0.
 enum class LightTest : unsigned char { kExact, kCentroid, kVertices };
 
 // The word for it: "exact", "centroid", "vertices".

@@ -29,10 +29,12 @@ struct LightPath2 {
 
 // Where a light of a scene is, where it points, and how it moves. Light has its other properties.
 struct LightPlace2 {
-  Point2 position;         // of no meaning for a sun
-  Point2 direction{1, 0};  // of a spot: along the axis of its beam; of a sun: of its rays; of any length, not zero
-  Rational turned = 0;     // the angle from direction to the axis, in degrees, counter-clockwise
-  Rational rotation = 0;   // of the axis, in degrees a second, counter-clockwise
+  Point2 position;  // of no meaning for a sun
+  // Turned by `turned` degrees counter-clockwise it is the axis of a spot's beam, or the way of a sun's rays, at time
+  // 0. Of any length, not zero.
+  Point2 direction{1, 0};
+  Rational turned = 0;
+  Rational rotation = 0;                // how fast that turns, in degrees a second, counter-clockwise
   std::optional<LightPath2> path = {};  // what the position follows when time passes
   friend bool operator==(const LightPlace2&, const LightPlace2&) = default;
 };
@@ -85,7 +87,7 @@ struct Scene2 : SceneTable {
 
 // Throws InputError naming file, line and surface or light unless (2) to (5) hold and the grids are valid
 // (validate_grids). Throws ContractViolation unless (1) holds, each light has one place, and the trees of elements are
-// whole (are_whole). COST: linear, for each light.
+// whole (are_whole). COST: linear in the scene, and that again for each light.
 void validate(const Scene2& scene);
 
 // A scene that is known to be valid. Only validation makes one, and the functions that change one keep it valid. A

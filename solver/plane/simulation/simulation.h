@@ -107,7 +107,8 @@ struct SimulationRequest2 {
 //       simulation of the same scene, whatever was edited, asked or cancelled before, on any number of threads, and
 //       also after the scene was written and read again
 //   (3) any number of threads may ask one version at once; stages are made, waited for, cancelled and failed as
-//       kernel/support/stage.h says. What a stage throws is thrown again until an edit drops it
+//       kernel/support/stage.h says. An error of a stage is thrown again by every later call until an edit
+//       drops the stage; one that was cancelled is computed by the next call
 //   (4) factors and what cells see each keep to the memory that is allowed (ExchangeRequest::memory, LightRows2)
 //
 // RequestErrors name the scene's file. Stages throw what their functions throw: InputError where surfaces that overlap
@@ -125,7 +126,7 @@ class Simulation2 {
   // The same scene with these trees in place of its own. Throws ContractViolation unless there is one for each surface,
   // and each is whole (are_whole).
   Simulation2 with_trees(std::vector<SurfaceTrees> trees) const;
-  Simulation2 with_request(SimulationRequest2 request) const;
+  Simulation2 with_request(SimulationRequest2 request) const;  // throws UsageError as the constructor does
 
   const Scene2& scene() const;
   const SimulationRequest2& request() const;
