@@ -389,8 +389,17 @@ Responses3 irradiance_responses_3(const RadiositySolution& solution) {
 }
 
 void require_gathered_3(const Shown& shown) {
-  if (shown.quantity == Quantity::kTemperature || shown.quantity == Quantity::kFactor)
-    throw UsageError("light, radiosity, irradiance and net are gathered: temperatures and factors are of elements");
+  switch (shown.quantity) {
+    case Quantity::kLight:
+    case Quantity::kRadiosity:
+    case Quantity::kIrradiance:
+    case Quantity::kNet:
+      return;
+    case Quantity::kTemperature:
+    case Quantity::kFactor:
+      break;
+  }
+  throw UsageError("light, radiosity, irradiance and net are gathered: temperatures and factors are of elements");
 }
 
 Responses3 responses_3(const Shown& shown, const RadiositySolution& solution) {
