@@ -54,7 +54,7 @@ inline mpz_class to_integer(Int128 value) {
 
 // Splits a sum: s + e = a + b exactly, s the rounded sum, whichever of a and b is larger (Knuth).
 // REQUIRES: rounding to nearest, and no overflow.
-inline void two_sum(double a, double b, double& s, double& e) {
+constexpr void two_sum(double a, double b, double& s, double& e) {
   s = a + b;
   const double t = s - a;
   e = (a - (s - t)) + (b - t);
@@ -63,7 +63,7 @@ inline void two_sum(double a, double b, double& s, double& e) {
 // Splits a product: p + e = a * b exactly, p the rounded product (Dekker). It gives the same on machines with and
 // without a fused multiply-add. Where the error is too small for a double, p + e is only near a * b.
 // REQUIRES: rounding to nearest, |a|, |b| < 2^990, and no overflow.
-inline void two_product(double a, double b, double& p, double& e) {
+constexpr void two_product(double a, double b, double& p, double& e) {
   constexpr double kSplitter = 134217729.0;  // 2^27 + 1
   p = a * b;
   const double ca = kSplitter * a, ah = ca - (ca - a), al = a - ah;

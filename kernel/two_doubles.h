@@ -16,8 +16,9 @@ constexpr DoubleDouble ordered_sum(double a, double b) {
 
 // The sum, exactly.
 constexpr DoubleDouble exact_sum(double a, double b) {
-  const double sum = a + b, other = sum - a;
-  return {sum, (a - (sum - other)) + (b - other)};
+  DoubleDouble sum;
+  two_sum(a, b, sum.hi, sum.lo);
+  return sum;
 }
 
 // The upper half of the bits: products of two of them are exact.
@@ -27,8 +28,9 @@ constexpr double upper_half(double x) {
 
 // The product, exactly. REQUIRES: it is neither very large nor nearly subnormal.
 constexpr DoubleDouble exact_product(double a, double b) {
-  const double product = a * b, ah = upper_half(a), bh = upper_half(b), al = a - ah, bl = b - bh;
-  return {product, ((ah * bh - product) + (ah * bl + al * bh)) + al * bl};
+  DoubleDouble product;
+  two_product(a, b, product.hi, product.lo);
+  return product;
 }
 
 constexpr DoubleDouble plus(const DoubleDouble& a, const DoubleDouble& b) {
