@@ -84,9 +84,8 @@ std::vector<std::string> option_hints(const std::string& option, const CLI::App&
 std::string told(const CLI::ArgumentMismatch& mismatch) {
   const std::string text = mismatch.what(), option = text.substr(0, text.find(':'));
   if (text.ends_with(" missing")) {
-    const std::size_t begin = text.find(" required ");
-    const std::string value = text.substr(0, text.size() - 8).substr(begin + 10);
-    return option + " wants a value: " + option + " " + value;
+    const std::size_t begin = text.find(" required ") + 10, end = text.size() - 8;
+    return option + " wants a value: " + option + " " + text.substr(begin, end - begin);
   }
   return text.find("At Most 1") != std::string::npos ? option + " is given more than once" : text;
 }

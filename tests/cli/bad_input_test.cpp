@@ -195,7 +195,7 @@ struct BadLine {
 void PrintTo(const BadLine& bad, std::ostream* out) { *out << bad.line; }
 
 const BadLine kBadLines[] = {
-    {"no_command", "hottel", 2, "hottel: "},
+    {"no_command", "hottel", 2, "hottel: no command is given"},
     {"unknown_command", "hottel factor good.json", 2, "hottel: there is no command 'factor'"},
     {"unknown_option", "hottel factors good.json --colour", 2, "hottel: "},
     {"option_without_value", "hottel factors good.json -o", 2, "hottel: "},
@@ -209,6 +209,8 @@ const BadLine kBadLines[] = {
     {"exact_forms_of_nobody", "hottel factors good.json --exact-form a nobody -o earlier.csv", 2, "hottel: "},
     {"exact_forms_and_matrix", "hottel factors good.json --exact-form --matrix factor", 2, "hottel: "},
     {"unknown_method", "hottel factors good.json --method magic", 2, "hottel: there is no method called 'magic'"},
+    {"no_value", "hottel check good.json --fix", 2, "hottel: --fix wants a value: --fix OUT"},
+    {"twice", "hottel factors good.json --elements 2 --elements 3", 2, "hottel: --elements is given more than once"},
     {"unknown_per", "hottel factors good.json --per room", 2, "hottel: --per"},
     {"unknown_pairs", "hottel factors good.json --pairs all", 2, "hottel: --pairs"},
     {"unknown_matrix", "hottel factors good.json --matrix view", 2, "hottel: --matrix"},
