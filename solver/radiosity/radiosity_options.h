@@ -14,8 +14,8 @@ namespace hottel {
 // kCholesky:  symmetric elimination without subtraction, refined in double-double
 // kCg:        conjugate gradients, refined in double-double
 // kShooting:  progressive refinement: the face with the most unshot light shoots (an iteration is one shot)
-// The others are the methods of these names in plain doubles, not refined. Bounds are proven for every result in the
-// same way, whatever the solver.
+// The others are the methods of these names in plain doubles, not refined. Bounds are proven for the result of
+// every solver in the same way.
 enum class Solver { kAuto, kCholesky, kCg, kLu, kBicgstab, kJacobi, kGaussSeidel, kShooting };
 
 inline constexpr std::uint32_t kMostDenseUnknowns = 500;

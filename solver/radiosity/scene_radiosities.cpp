@@ -58,7 +58,7 @@ RadiositySolution scene_radiosities(const RadiositySolver& system, const SceneTa
     if (beyond) return solution;
     if (matrix.guarantee() == Guarantee::kEnclosed) {
       notes.push_back(
-          "the bounds of radiosities hold for whatever true factors lie within their bounds and sum to 1 in each row");
+          "the bounds of radiosities hold for all true factors that lie within their bounds and sum to 1 in each row");
       set_a_priori_bounds(matrix, reflectivities_of(scene.materials), sources, solution);
     }
     if (solution.guarantee == Guarantee::kEstimated)

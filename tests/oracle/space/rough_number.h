@@ -28,7 +28,7 @@ struct RoughNumber {
     return {value, 2 * kUnit * size};
   }
 
-  // The sign of the real number, 0 where the error does not tell it: whatever is no number tells nothing.
+  // The sign of the real number, 0 where the error does not tell it. A NaN or an infinite error tells nothing.
   int sign() const { return value > error ? 1 : value < -error ? -1 : 0; }
 
   friend RoughNumber operator+(const RoughNumber& a, const RoughNumber& b) {
