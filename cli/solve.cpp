@@ -1,51 +1,26 @@
-// hottel solve: radiosities of elements with proven bounds, light between faces in the plane, a picture of it.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <deque>
+// hottel solve: its options, and what of them makes no sense in either dimension.
 #include <filesystem>
-#include <map>
-#include <optional>
-#include <vector>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
 
 #include "cli/command.h"
-#include "cli/machine_speed.h"
 #include "cli/methods.h"
-#include "cli/plane_grid_files.h"
-#include "cli/room_for_elements.h"
-#include "cli/solve_files.h"
+#include "cli/scene_input.h"
+#include "cli/solve_in_plane.h"
 #include "cli/solve_in_space.h"
 #include "cli/solve_options.h"
 #include "cli/unit_notes.h"
 #include "cli/views.h"
-#include "io/external/plane/external_matrix.h"
-#include "io/files/output_file.h"
 #include "io/results/exr.h"
-#include "io/results/grid_file.h"
-#include "io/results/plane/check_report.h"
 #include "io/results/short_digits.h"
-#include "io/results/solve_report.h"
-#include "io/scene/scene_json.h"
-#include "io/sums/plane/exact_on_disk.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
-#include "solver/plan_speed.h"
-#include "solver/plane/simulation/refined.h"
-#include "solver/store_plan.h"
-#include "viewer/picture/plane/illumination_picture.h"
-#include "viewer/picture/plane/shown_picture.h"
+#include "viewer/picture/picture_options.h"
 
 namespace hottel {
 namespace {
-
-// What is asked for, once names and combinations of options are found to make sense.
-struct Request {
-  SimulationRequest2 simulation;  // all but the grids, which need the scene
-  bool wants_picture = true;
-  Shown shown{};  // by the picture
-  std::filesystem::path directory;
-  std::shared_ptr<const ExactOnDisk2> on_disk;  // the method of --out-of-core or --checkpoint; null where none is given
-};
 
 // Without light there is a picture of what --show has on faces, and none of the light.
 void require_picture_of_faces(const SolveOptions& options, const Shown& shown) {
@@ -71,173 +46,24 @@ void require_sense_of_sums(const SolveOptions& options) {
                      " is for the method exact with --solver auto or cg, without --store and --levels");
 }
 
-Request request_of(const SolveOptions& options) {
+// What can be said of options before the scene is read, whatever its dimension.
+void require_sense(const SolveOptions& options) {
   options.levels.require_sense();
-  Request request;
-  SimulationRequest2& asked = request.simulation;
-  asked.solver = solver_of(options, options.method == "exact");
-  asked.iterations = options.iterations;
-  asked.until = options.until;
-  asked.everything = options.simulate == "everything";
-  asked.light = *light_kind_2(options.illumination);
-  asked.memory = options.memory.value_or(0);
+  solver_of(options, options.method == "exact");
   tone_asked(options.tone, kUsualTone2);
   if (options.exr) require_exr("--exr");
   if (options.memory && options.method != "exact")
     throw UsageError("--memory is kept to by the method exact only, not by " + options.method);
-  if (options.no_illumination && asked.everything)
+  if (options.no_illumination && options.simulate == "everything")
     throw UsageError("--simulate everything and --no-illumination exclude each other");
   if (!options.views.empty()) require_sense_of_views(options.views, options.illumination);
   require_sense_of_sums(options);
-  if (options.sums.is_given()) request.on_disk = std::make_shared<const ExactOnDisk2>(options.sums.request());
-  asked.wants_light = !options.no_illumination;
-  request.shown = shown_of(options);
-  require_picture_of_faces(options, request.shown);
-  request.wants_picture = !options.no_picture && (asked.wants_light || !request.shown.is_light());
-  asked.wants_picture = request.wants_picture;
-  if (request.wants_picture && request.shown.is_light())
-    asked.painter = light_painter_2(light_picture_2(options), PictureFormat::kPng);
-  request.directory = output_folder(options.out, options.scene);
-  return request;
-}
-
-// The picture of what --show has on the faces alone, which no grid has to do with.
-struct FacesPicture {
-  OutputFile *png = nullptr, *render = nullptr;
-
-  FacesPicture(const SolveOptions& options, SolveFiles& files) : png(&files.add("illumination.png")) {
-    if (!options.render.empty()) render = &files.add_elsewhere(options.render);
-  }
-
-  PictureRange write(const SolveOptions& options, const Shown& shown, const Simulation2& simulation) {
-    const ShownValues values =
-        shown_values(shown, simulation.scene(), simulation.factors()->matrix, *simulation.radiosities());
-    const auto picture = [&](PictureFormat format) {
-      return shown_picture_2(*simulation.prepared(), values, faces_plan_2(options), format, nullptr);
-    };
-    png->write(picture(PictureFormat::kPng));
-    if (render) render->write(picture(*picture_format(options.render)));
-    return range_of(values);
-  }
-};
-
-// The scene as it is asked for, on its own grids or on one over its surfaces, ready to be simulated.
-Simulation2 simulation_of(const SolveOptions& options, ValidScene2 scene, Request request) {
-  options.elements.apply_to(scene);
-  require_room_for_solving(*scene, options.memory, options.levels, options.sums.is_given());
-  request.simulation.lights = light_test_of(options, *scene);
-  scene.set_grids(grids_of(*scene, options.grid));
-  if (request.simulation.wants_light)
-    for (const Grid2& grid : scene->grids)
-      require_room_for_light(options, cells_text(grid), grid.cells(), channel_count(*scene), "take a coarser --grid",
-                             request.directory);
-  request.simulation.method = request.on_disk;
-  if (!request.on_disk) request.simulation.method = all_methods_2().make(options.method);
-  request.simulation.store = options.store.open(options.method);
-  return Simulation2(std::move(scene), std::move(request.simulation));
-}
-
-// Whether a picture in the plane has what --show has on a grid.
-bool shows_cells_2(const SolveOptions& options, const Request& request, bool has_own_grids) {
-  return is_of_points(request.shown) && request.simulation.wants_light && options.illumination != "inverse-square" &&
-         (has_own_grids || !options.grid.empty());
-}
-
-// Throws UsageError where the picture in the plane has no cells that contours could be of.
-void require_sense_of_contours(const SolveOptions& options, const Request& request, bool has_own_grids) {
-  if (options.contours == 0 || request.shown.is_light() || shows_cells_2(options, request, has_own_grids)) return;
-  if (!is_of_points(request.shown))
-    throw UsageError("--contours are for what a grid shows, light, " + words_to_show_at_points() + ", not for " +
-                     options.show);
-  throw UsageError("--contours are for light or for what a grid shows: --show " + options.show +
-                   " is on the faces alone " +
-                   (options.illumination == "inverse-square" ? "with --illumination inverse-square"
-                                                             : "without a grid in the scene or --grid"));
-}
-
-void solve_in_plane(const SolveOptions& options, ValidScene2 scene, const Request& request, double seconds_to_read,
-                    Streams& streams) {
-  if (options.tolerance)
-    throw UsageError("--tolerance is for scenes in space: in the plane every factor is correctly rounded");
-  options.guarantee.refuse_in_plane();
-  options.sky.refuse_in_plane();
-  require_shown(request.shown, *scene);
-  if (options.outlines || options.no_outlines)
-    throw UsageError("--outlines and --no-outlines are for scenes in space: in the plane walls are lines");
-  require_sense_of_contours(options, request, !scene->grids.empty());
-  if (options.shading == "gathered") throw UsageError("--shading gathered is for scenes in space");
-  if (!options.texels.empty()) throw UsageError("--texels is for scenes in space");
-  if (renders_array(options))
-    throw UsageError("--render writes numbers of scenes in space: in the plane they are in illumination.npy");
-  if (request.shown.is_light() && options.shading != "flat")
-    throw UsageError("--shading in the plane is for the values of --show: light between the faces has no elements");
-  if (!request.shown.is_light() && options.size > 0 && options.size < kMinPictureWidth)
-    throw UsageError(fmt::format("--size of --show {} is {} at least", options.show, kMinPictureWidth));
-  const bool has_own_grids = !scene->grids.empty();
-  Stopwatch watch;
-  const Simulation2 simulation =
-      refined(simulation_of(options, std::move(scene), request), options.levels.levels(), streams.stages());
-  auto plan = std::make_shared<const Plan>(plan_at_speed(*simulation.plan(), machine_speed()));
-  if (options.store.is_given()) plan = std::make_shared<const Plan>(plan_with_store(*plan, false, options.method));
-  streams.note(plan_text(*plan));
-  const Scene2& asked = simulation.scene();
-  const bool shows_cells = shows_cells_2(options, request, has_own_grids);
-  const bool has_grid_pictures = request.wants_picture && (request.shown.is_light() || shows_cells);
-  const std::vector<Grid2> grids = request.simulation.wants_light ? asked.grids : std::vector<Grid2>();
-  SolveFiles files(request.directory, asked);
-  std::deque<PlaneGridFiles> grid_outputs;
-  for (const Grid2& grid : grids)
-    grid_outputs.emplace_back(options, AskedOfGrids2{request.shown, shows_cells, has_grid_pictures}, grid, files);
-  std::optional<FacesPicture> faces;
-  if (request.wants_picture && !has_grid_pictures) faces.emplace(options, files);
-  const auto factors = simulation.factors(streams.stages());
-  const ExchangeMatrix& matrix = factors->matrix;
-  const auto lost_light = simulation.lost_light(streams.stages());
-  if (!lost_light->empty()) streams.note(findings_text(asked, *lost_light));
-  const auto solution = simulation.radiosities(streams.stages());
-  const auto dividing = simulation.dividing(streams.stages());
-  watch.lap();
-  const NetFluxes fluxes(asked, matrix, *solution, *simulation.light_shares());
-  const Solved solved{asked, matrix, *solution, fluxes};
-  std::map<std::string, double> seconds = factors->report.counts.seconds;
-  seconds.insert(solution->seconds.begin(), solution->seconds.end());
-  if (dividing->seconds > 0) seconds["dividing"] = dividing->seconds;
-  seconds["read"] = seconds_to_read;
-  files.write_tables(solved, options.digits);
-  SolveReport report{.scene = options.scene,
-                     .plan = plan.get(),
-                     .factors = factor_counts(factors->report.counts),
-                     .solution = solution.get(),
-                     .fluxes = &fluxes,
-                     .insulated = insulated_groups(asked, matrix, *solution),
-                     .given_flux = given_flux_groups(asked, matrix, *solution),
-                     .unit = asked.unit,
-                     .store = options.store.report(simulation.request().store),
-                     .dividing = dividing.get(),
-                     .warnings = with_unit_note(asked, finding_notes(*lost_light))};
-  if (faces) report.picture_ranges.push_back(faces->write(options, request.shown, simulation));
-  seconds["write"] = watch.lap();
-  for (PlaneGridFiles& each : grid_outputs) {
-    const ToldOfGrid2 told = each.write(options, simulation, streams, seconds);
-    if (told.light) report.picture_lights.push_back(*told.light);
-    if (told.range) report.picture_ranges.push_back(*told.range);
-    if (told.max_error)
-      report.illumination_max_error = std::max(report.illumination_max_error.value_or(0), *told.max_error);
-  }
-  report.seconds = seconds;
-  const std::string pictures = has_grid_pictures ? names_of_grid_files(options.render, grids) : options.render;
-  files.finish(options, report, solved,
-               (options.views.empty() ? "" : "\nwhat the cells see: " + names_of_grid_files(options.views, grids)) +
-                   (options.render.empty() ? "" : "\nthe picture: " + pictures),
-               streams);
-  if (request.on_disk) {
-    options.sums.tell(request.on_disk->bytes_of_sums(), streams);
-    request.on_disk->forget();
-  }
+  require_picture_of_faces(options, shown_of(options));
+  output_folder(options.out, options.scene);
 }
 
 ExitCode solve(const SolveOptions& options, Streams& streams) {
-  const Request request = request_of(options);
+  require_sense(options);
   Stopwatch watch;
   ValidScene scene = read_scene_noting(options.scene, options.polygons, streams);
   const double seconds_to_read = watch.lap();
@@ -246,7 +72,7 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   if (auto* space = std::get_if<ValidScene3>(&scene))
     solve_in_space(options, std::move(*space), seconds_to_read, streams);
   else
-    solve_in_plane(options, std::move(std::get<ValidScene2>(scene)), request, seconds_to_read, streams);
+    solve_in_plane(options, std::move(std::get<ValidScene2>(scene)), seconds_to_read, streams);
   return ExitCode::kDone;
 }
 

@@ -15,10 +15,8 @@
 #include <vector>
 
 #include "cli/grid_array.h"
-#include "cli/machine_speed.h"
 #include "cli/room_for_elements.h"
-#include "cli/solve_files.h"
-#include "cli/unit_notes.h"
+#include "cli/solve_run.h"
 #include "cli/views.h"
 #include "cli/volume_files.h"
 #include "geometry/name.h"
@@ -28,20 +26,14 @@
 #include "io/results/exr.h"
 #include "io/results/grid_file.h"
 #include "io/results/npy.h"
-#include "io/results/solve_report.h"
-#include "io/results/space/check_report.h"
-#include "io/results/space/factors_report.h"
 #include "io/results/space/light_region.h"
 #include "io/results/space/radiosity_vtu.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
 #include "kernel/support/stopwatch.h"
 #include "kernel/support/with_file_context.h"
-#include "solver/plan_speed.h"
-#include "solver/space/check/lost_light.h"
 #include "solver/space/light/oriented_lights.h"
 #include "solver/space/simulation/refined.h"
-#include "solver/store_plan.h"
 #include "viewer/picture/space/gathered_source.h"
 #include "viewer/picture/space/gathered_view.h"
 #include "viewer/picture/space/grid_picture.h"
@@ -297,6 +289,105 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene, 
                    .has_picture = !options.no_picture}};
 }
 
+// The files of a scene in space beside the tables: the mesh of its elements, light on grids, in volumes and on texels,
+// and what a camera sees.
+class SpaceOutputs {
+ public:
+  SpaceOutputs(const SolveRun<Simulation3>& run, const Shown& shown, const std::vector<Grid3>& grids,
+               const std::optional<TexelChoice>& texels)
+      : run_(run), shown_(shown), grids_(grids), vtu_(run.files.add("radiosity.vtu")) {
+    const SolveOptions& options = run.options;
+    for (const Grid3& grid : grids) {
+      if (grid.is_volume())
+        volume_files_.emplace_back(shown, grid, run.files);
+      else
+        grid_files_.emplace_back(options, shown, grid, run.files);
+    }
+    if (!options.views.empty())
+      for (const Grid3& grid : grids) add_views(grid);
+    if (texels) texels_.emplace(options, *texels, run.files);
+    if (!options.no_picture && (!options.no_illumination || !shown.is_light())) png_ = &run.files.add("render.png");
+    if (renders_array(options))
+      numbers_.emplace(options, run.files);
+    else if (!options.render.empty())
+      render_ = &run.files.add_elsewhere(options.render);
+  }
+
+  void write_elements(const Solved& solved, SolveReport&) {
+    with_file_context(run_.options.scene, [&] {
+      write_radiosity_vtu(*run_.simulation.prepared(), granularity(), solved.matrix, solved.solution,
+                          [this](std::string_view text) { vtu_.write(text); });
+    });
+  }
+
+  void write_light(const Solved& solved, SolveReport& report) {
+    write_grids(report);
+    for (GridViews& each : views_)
+      write_views_3(*run_.simulation.prepared(), each.grid, {solved.scene, solved.matrix, granularity(), {}, {}},
+                    run_.options.memory.value_or(0), run_.streams, each.output);
+    Stopwatch watch;
+    if (texels_) {
+      texels_->write(run_.simulation, shown_, how(), run_.streams);
+      report.seconds["texels"] = watch.lap();
+    }
+    if (!png_) return;
+    write_picture(solved, report);
+    report.seconds["picture"] += watch.lap();
+  }
+
+  std::string told() const {
+    const SolveOptions& options = run_.options;
+    return (options.views.empty() ? "" : "\nwhat the cells see: " + names_of_grid_files(options.views, grids_)) +
+           (options.render.empty() ? "" : "\nthe picture: " + options.render);
+  }
+
+ private:
+  Granularity granularity() const { return run_.simulation.request().factors.granularity; }
+  GridPicture3 how() const { return grid_picture_of(run_.options, run_.simulation.scene()); }
+
+  void add_views(const Grid3& grid) {
+    views_.push_back({grid, ViewsOutput(grid_file(run_.options.views, grid.name))});
+    run_.files.add(views_.back().output.mtx);
+    run_.files.add(views_.back().output.faces);
+  }
+
+  void write_grids(SolveReport& report) {
+    std::optional<double>& max_error = report.illumination_max_error;
+    for (GridFiles& each : grid_files_)
+      if (const auto error = each.write(run_.simulation, shown_, how(), run_.streams, report.seconds))
+        max_error = std::max(max_error.value_or(0), *error);
+    for (VolumeFiles& each : volume_files_) each.write(run_.simulation, shown_, run_.streams, report.seconds);
+  }
+
+  void write_picture(const Solved& solved, SolveReport& report) {
+    const SolveOptions& options = run_.options;
+    const std::vector<std::string>& channels = solved.solution.channel_names;
+    const auto view = view_of(options, shown_, run_.simulation, run_.streams);
+    png_->write(view->file(PictureFormat::kPng));
+    if (numbers_)
+      numbers_->write(view->pixels(), channels);
+    else if (render_)
+      render_->write(is_exr(options.render) ? linear_picture(*view, channels)
+                                            : view->file(*picture_format(options.render)));
+    if (view->shown())
+      report.picture_ranges.push_back(range_of(*view->shown()));
+    else
+      report.picture_lights.push_back(light_told(*view, options));
+    report.picture_view = picture_view_of(*view, run_.simulation.scene());
+  }
+
+  const SolveRun<Simulation3>& run_;
+  const Shown& shown_;
+  const std::vector<Grid3>& grids_;
+  OutputFile& vtu_;
+  std::deque<GridFiles> grid_files_;
+  std::deque<VolumeFiles> volume_files_;
+  std::deque<GridViews> views_;
+  std::optional<TexelFiles> texels_;
+  OutputFile *png_ = nullptr, *render_ = nullptr;
+  std::optional<PixelFiles> numbers_;  // in place of `render`
+};
+
 }  // namespace
 
 void solve_in_space(const SolveOptions& options, ValidScene3 scene, double seconds_to_read, Streams& streams) {
@@ -304,112 +395,24 @@ void solve_in_space(const SolveOptions& options, ValidScene3 scene, double secon
   require_grid(options, *scene);
   const Shown shown = shown_of(options);
   if (options.shading == "gathered" || !options.texels.empty()) require_gathered_3(shown);
-  const bool wants_picture = !options.no_picture && (!options.no_illumination || !shown.is_light());
   require_shown(shown, *scene);
-  const std::optional<TexelChoice> texel_choice = texels_of(options, *scene);
+  const std::optional<TexelChoice> texels = texels_of(options, *scene);
   options.elements.apply_to(scene);
   options.sums.refuse_in_space();
   require_room_for_solving(*scene, options.memory, options.levels);
+  const std::filesystem::path directory = output_folder(options.out, options.scene);
   const std::vector<Grid3> grids = options.no_illumination ? std::vector<Grid3>() : grids_of(*scene, options.grid);
-  const SimulationRequest3 request = request_of(options, *scene, grids, texel_choice ? texel_choice->grid.cells() : 0);
+  for (const Grid3& grid : grids)
+    require_room_for_light(options, cells_text(grid), grid.cells(), channel_count(*scene), "take a coarser --grid",
+                           directory);
+  const SimulationRequest3 request = request_of(options, *scene, grids, texels ? texels->grid.cells() : 0);
   const Simulation3 simulation =
       refined(Simulation3(std::move(scene), request), options.levels.levels(), streams.stages());
-  auto plan = std::make_shared<const Plan>(plan_at_speed(*simulation.plan(), machine_speed()));
-  if (options.store.is_given()) plan = std::make_shared<const Plan>(plan_with_store(*plan, true, options.method));
-  streams.note(plan_text(*plan));
-
-  const std::filesystem::path directory = output_folder(options.out, options.scene);
+  const Plan plan = told_plan(options, simulation, streams);
   SolveFiles files(directory, simulation.scene());
-  OutputFile& vtu = files.add("radiosity.vtu");
-  std::deque<GridFiles> grid_files;
-  std::deque<VolumeFiles> volume_files;
-  for (const Grid3& grid : grids) {
-    require_room_for_light(options, cells_text(grid), grid.cells(), channel_count(simulation.scene()),
-                           "take a coarser --grid", directory);
-    if (grid.is_volume())
-      volume_files.emplace_back(shown, grid, files);
-    else
-      grid_files.emplace_back(options, shown, grid, files);
-  }
-  std::deque<GridViews> views;
-  for (const Grid3& grid : grids) {
-    if (options.views.empty()) continue;
-    views.push_back({grid, ViewsOutput(grid_file(options.views, grid.name))});
-    files.add(views.back().output.mtx);
-    files.add(views.back().output.faces);
-  }
-  std::optional<TexelFiles> texels;
-  if (texel_choice) texels.emplace(options, *texel_choice, files);
-  OutputFile* const png = wants_picture ? &files.add("render.png") : nullptr;
-  std::optional<PixelFiles> numbers;
-  if (renders_array(options)) numbers.emplace(options, files);
-  OutputFile* const render = options.render.empty() || numbers ? nullptr : &files.add_elsewhere(options.render);
-  const auto factors = simulation.factors(streams.stages());
-  const Findings3 lost_light = lost_light_warnings(simulation.scene(), factors->matrix);
-  if (!lost_light.empty()) streams.note(findings_text(simulation.scene(), lost_light));
-  const auto solution = simulation.radiosities(streams.stages());
-  const auto dividing = simulation.dividing(streams.stages());
-
-  Stopwatch watch;
-  const NetFluxes fluxes(simulation.scene(), factors->matrix, *solution, *simulation.light_shares());
-  const Solved solved{simulation.scene(), factors->matrix, *solution, fluxes};
-  files.write_tables(solved, options.digits);
-  with_file_context(options.scene, [&] {
-    write_radiosity_vtu(*simulation.prepared(), request.factors.granularity, factors->matrix, *solution,
-                        [&vtu](std::string_view text) { vtu.write(text); });
-  });
-  std::map<std::string, double> seconds = factors->report.seconds;
-  seconds.insert(solution->seconds.begin(), solution->seconds.end());
-  if (dividing->seconds > 0) seconds["dividing"] = dividing->seconds;
-  seconds["read"] = seconds_to_read;
-  seconds["write"] = watch.lap();
-  std::optional<double> max_error;
-  for (GridFiles& each : grid_files)
-    if (const auto error =
-            each.write(simulation, shown, grid_picture_of(options, simulation.scene()), streams, seconds))
-      max_error = std::max(max_error.value_or(0), *error);
-  for (VolumeFiles& each : volume_files) each.write(simulation, shown, streams, seconds);
-  for (GridViews& each : views)
-    write_views_3(*simulation.prepared(), each.grid,
-                  {simulation.scene(), factors->matrix, request.factors.granularity, {}, {}},
-                  options.memory.value_or(0), streams, each.output);
-  watch.lap();
-  if (texels) {
-    texels->write(simulation, shown, grid_picture_of(options, simulation.scene()), streams);
-    seconds["texels"] = watch.lap();
-  }
-  std::unique_ptr<const RenderedView3> view;
-  if (png) {
-    view = view_of(options, shown, simulation, streams);
-    png->write(view->file(PictureFormat::kPng));
-    if (numbers)
-      numbers->write(view->pixels(), solution->channel_names);
-    else if (render)
-      render->write(is_exr(options.render) ? linear_picture(*view, solution->channel_names)
-                                           : view->file(*picture_format(options.render)));
-    seconds["picture"] += watch.lap();
-  }
-  const SolveReport report{
-      .scene = options.scene,
-      .plan = plan.get(),
-      .factors = factor_counts(factors->report),
-      .solution = solution.get(),
-      .fluxes = &fluxes,
-      .seconds = seconds,
-      .picture_lights = view && !view->shown() ? std::vector{light_told(*view, options)} : std::vector<PictureLight>(),
-      .picture_ranges = view && view->shown() ? std::vector{range_of(*view->shown())} : std::vector<PictureRange>(),
-      .picture_view = view ? std::optional(picture_view_of(*view, simulation.scene())) : std::nullopt,
-      .illumination_max_error = max_error,
-      .insulated = insulated_groups(simulation.scene(), factors->matrix, *solution),
-      .given_flux = given_flux_groups(simulation.scene(), factors->matrix, *solution),
-      .unit = simulation.scene().unit,
-      .store = options.store.report(request.factors.store),
-      .dividing = dividing.get(),
-      .warnings = with_unit_note(simulation.scene(), finding_notes(lost_light))};
-  files.finish(options, report, solved,
-               (options.views.empty() ? "" : "\nwhat the cells see: " + names_of_grid_files(options.views, grids)) +
-                   (render != nullptr || numbers ? "\nthe picture: " + options.render : ""),
-               streams);
+  const SolveRun<Simulation3> run{options, simulation, plan, seconds_to_read, files, streams};
+  SpaceOutputs outputs(run, shown, grids, texels);
+  solve_and_write(run, outputs);
 }
 
 }  // namespace hottel
