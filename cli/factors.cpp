@@ -182,7 +182,7 @@ void factors_in_plane(FactorsOptions& options, ValidScene2 scene, Streams& strea
   table.digits = options.digits;
   take_rows(options, streams, table);
   if (options.pairs == "facing" || options.matrix == "visibility")
-    table.hidden = hidden_pairs(prepared, table.granularity, factors.matrix());
+    table.hidden = hidden_pairs(prepared, table.granularity, factors.matrix(), simulation.request().rows);
   if (picture)
     files.drawing->write(
         factor_picture_2(prepared, table.matrix, targets, factors.gray ? "script-F" : "view factor", *picture));

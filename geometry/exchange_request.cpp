@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/exchange_matrix.h"
+#include "geometry/name.h"
 #include "geometry/scene_names.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {
@@ -50,6 +53,16 @@ std::vector<std::uint32_t> RowChoice::labels(const std::vector<Element>& element
   for (std::uint32_t label = 0; label < elements.size(); ++label)
     if (has(elements[label])) result.push_back(label);
   return result;
+}
+
+void require_chosen(const RowChoice& rows, const ExchangeMatrix& matrix, std::uint32_t row) {
+  if (!matrix.row(row).empty() || rows.has(matrix.elements()[row])) return;
+  throw UsageError(quoted_name(matrix.name(row)) +
+                   " has a row, but it was not chosen: nothing is known of its factors");
+}
+
+void require_all(const RowChoice& rows) {
+  if (!rows.is_all()) throw UsageError("radiosities need the view factors of all rows, and only some were chosen");
 }
 
 }  // namespace hottel

@@ -11,6 +11,8 @@
 
 namespace hottel {
 
+class ExchangeMatrix;
+
 // A choice of rows, by sides and surfaces.
 //
 //   (1) the default chooses every row; equal choices choose the same
@@ -20,9 +22,11 @@ class RowChoice {
   RowChoice() = default;
   // Returns the choice that a word makes of the rows of a scene.
   //
-  //   (3) "fronts": all but backs
+  //   (3) "fronts": all but backs, also where a surface is called so
   //   (4) NAME or a pattern: both sides of the surfaces that surfaces_matching() finds; with ":back" at its end only
   //       their backs. Of groups: those that have such a surface
+  //
+  //   (5) what is chosen may have no row: then the matrix has no entries
   //
   // Throws UnknownName where no surface matches. COST: linear in the surfaces.
   static RowChoice of(const SceneTable& scene, const std::string& word, Granularity granularity);
@@ -43,6 +47,11 @@ class RowChoice {
   Sides sides_ = Sides::kBoth;
   std::vector<std::uint32_t> surfaces_;  // ascending; empty: all
 };
+
+// Throws UsageError where a row is empty because it was not chosen.
+void require_chosen(const RowChoice& rows, const ExchangeMatrix& matrix, std::uint32_t row);
+// Throws UsageError unless all rows are chosen, which radiosities are computed from.
+void require_all(const RowChoice& rows);
 
 // How the factor from an element to the sky is computed.
 enum class SkyBy : unsigned char {

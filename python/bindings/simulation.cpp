@@ -42,7 +42,7 @@ MatrixWithVisibility with_visibility(const AnySimulation& simulation, const Stag
     request.wants_visibility = true;
     const Simulation2 wider = plane->with_request(std::move(request));
     const auto matrix = matrix_of(wider, progress);
-    return {matrix, hidden_pairs(*wider.prepared(progress), wider.granularity(), *matrix)};
+    return {matrix, hidden_pairs(*wider.prepared(progress), wider.granularity(), *matrix, wider.request().rows)};
   }
   SimulationRequest3 request = std::get<Simulation3>(simulation).request();
   request.factors.wants_visibility = true;

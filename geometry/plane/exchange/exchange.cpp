@@ -184,12 +184,12 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeRequ
 }
 
 std::vector<ElementPair> hidden_pairs(const PreparedScene2& prepared, Granularity granularity,
-                                      const ExchangeMatrix& matrix) {
+                                      const ExchangeMatrix& matrix, const RowChoice& chosen) {
   const ElementTable2& table = *prepared.elements(granularity);
   const PairsAlone2 alone(prepared, table, granularity);
   std::vector<ElementPair> result;
   for (std::uint32_t i = 0; i < table.count(); ++i) {
-    if (!matrix.has_row(i)) continue;
+    if (!matrix.has_row(i) || !chosen.has(matrix.elements()[i])) continue;
     const auto row = matrix.row(i);
     auto entry = row.begin();
     for (std::uint32_t j = 0; j < table.count(); ++j) {

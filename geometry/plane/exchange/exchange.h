@@ -33,14 +33,15 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeRequ
                               ExchangeReport* report = nullptr, SweepParts2* parts = nullptr);
 
 // Returns the pairs (from, to) that are hidden: `from` has a row without an entry for `to`, but they would exchange
-// light if everything else were taken away (S = 0 < S0).
+// light if everything else were taken away (S = 0 < S0). Of the rows that are chosen.
 //
 //   (1) sorted by `from`, then by `to`, the sky last
 //   (2) (i, j) and (j, i) are both in the list where both have rows
 //   (3) (i, sky) is in the list wherever i does not see the sky: S0(i, sky) = A_i, so that Vis(i, sky) = F(i, sky)
 //
-// REQUIRES: the exact matrix of the scene, of this granularity. COST: every pair is looked at.
+// REQUIRES: the exact matrix of the scene, of this granularity, with the rows that are chosen at least. COST: every
+// pair is looked at.
 std::vector<ElementPair> hidden_pairs(const PreparedScene2& prepared, Granularity granularity,
-                                      const ExchangeMatrix& matrix);
+                                      const ExchangeMatrix& matrix, const RowChoice& chosen = {});
 
 }  // namespace hottel

@@ -24,7 +24,7 @@ ExchangeMatrix exact_exchange(const PreparedScene3& prepared, const ExchangeRequ
 }
 
 std::vector<ElementPair> hidden_pairs(const PreparedScene3& prepared, Granularity granularity,
-                                      const ExchangeMatrix& matrix) {
+                                      const ExchangeMatrix& matrix, const RowChoice& chosen) {
   const DefaultFloatingPoint arithmetic;
   const ElementTable3& table = *prepared.elements(granularity);
   const GroupsAlone3 groups(prepared, table, ExchangeRequest().tolerance);
@@ -37,7 +37,7 @@ std::vector<ElementPair> hidden_pairs(const PreparedScene3& prepared, Granularit
   parallel_for(table.count(), [&](std::size_t row) {
     throw_if_interrupted();
     const auto i = static_cast<std::uint32_t>(row);
-    if (!matrix.has_row(i)) return;
+    if (!matrix.has_row(i) || !chosen.has(matrix.elements()[i])) return;
     const auto entries = matrix.row(i);
     auto entry = entries.begin();
     for (std::uint32_t j = 0; j < table.count(); ++j) {

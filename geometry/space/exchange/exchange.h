@@ -37,16 +37,16 @@ ExchangeMatrix exact_exchange(const PreparedScene3& prepared, const ExchangeRequ
                               ExchangeReport3* report = nullptr);
 
 // Returns the pairs (from, to) that are hidden: `from` has a row without an entry for `to`, but they would exchange
-// light if everything else were taken away (S = 0 < S0).
+// light if everything else were taken away (S = 0 < S0). Of the rows that are chosen.
 //
 //   (1) sorted by `from`, then by `to`, the sky last
 //   (2) (i, j) and (j, i) are both in the list where both have rows
 //   (3) (i, sky) is in the list wherever i does not see the sky
 //
-// REQUIRES: the matrix of the scene by exact_exchange, of this granularity. COST: every pair is looked at; pairs of
-// groups are measured.
+// REQUIRES: the matrix of the scene by exact_exchange, of this granularity, with the rows that are chosen at least.
+// COST: every pair is looked at; pairs of groups are measured.
 std::vector<ElementPair> hidden_pairs(const PreparedScene3& prepared, Granularity granularity,
-                                      const ExchangeMatrix& matrix);
+                                      const ExchangeMatrix& matrix, const RowChoice& chosen = {});
 
 // Throws RequestError, telling how many pairs have no enclosure and naming the first of them, unless all have.
 void require_enclosed_3(const ExchangeMatrix& matrix, double tolerance);

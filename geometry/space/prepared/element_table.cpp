@@ -206,8 +206,8 @@ void ElementTable3::add_faces(const Scene3& scene, const Arrangement3& arrangeme
       const std::uint32_t parts = is_divided(surface, is_back, granularity) ? divided->count() : 1;
       const std::vector<TreeNode>& trees = surface.trees.of(is_back);
       const std::vector<TreeNode> leaves =
-          trees.empty() || granularity != Granularity::kElement ? uniform_leaves(parts, 4, 0) : trees;
-      HOTTEL_REQUIRE(trees.empty() || parts == 1 || are_whole(leaves, parts, 4));
+          trees.empty() || !is_divided(surface, is_back, granularity) ? uniform_leaves(parts, 4, 0) : trees;
+      HOTTEL_REQUIRE(are_whole(leaves, parts, 4));
       const std::optional<std::uint32_t> whole = whole_piece(arrangement, face);
       for (const TreeNode& leaf : leaves) {
         elements_.push_back({element_name(name, parts, leaf), s, leaf.part, parts, is_back, material, {}, leaf.path});

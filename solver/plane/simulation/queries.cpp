@@ -25,7 +25,11 @@ PointLight2 light_or_reason(const Simulation2& simulation, const StageProgress& 
 }  // namespace
 
 Rounded view_factor(const Simulation2& simulation, const std::string& from, const std::string& to) {
-  return simulation.factors()->matrix.factor(from, to);
+  const auto factors = simulation.factors();
+  const ExchangeMatrix& matrix = factors->matrix;
+  const std::uint32_t row = require_element(matrix, from);
+  if (row != matrix.sky()) require_chosen(simulation.request().rows, matrix, row);
+  return matrix.factor(from, to);
 }
 
 ExactPair2 exact_pair(const Simulation2& simulation, const std::string& from, const std::string& to) {

@@ -173,6 +173,7 @@ struct FactorsInput {
 
 struct SystemInput {
   StagePtr<ComputedFactors2> factors;
+  RowChoice rows;  // of factors
   Spectra reflectivities;
   Solver solver = Solver::kAuto;
   std::optional<int> iterations;
@@ -294,6 +295,7 @@ ComputedFactors2 make_factors(const FactorsInput& input, const StageProgress& pr
 }
 
 RadiositySolver make_system(const SystemInput& input, const StageProgress& progress) {
+  require_all(input.rows);
   const auto factors = input.factors->get(progress);
   const std::shared_ptr<const ExchangeMatrix> matrix(factors, &factors->matrix);
   return with_file_context(input.file, [&] {
@@ -536,8 +538,8 @@ void Simulation2::Version::set_factors(const Version* before) {
 
 void Simulation2::Version::set_light(const Version* before) {
   system = node_of("radiosity",
-                   SystemInput{factors.stage, Spectra{reflectivities_of(scene->materials)}, request.solver,
-                               request.iterations, request.until, scene->file},
+                   SystemInput{factors.stage, factors.input.rows, Spectra{reflectivities_of(scene->materials)},
+                               request.solver, request.iterations, request.until, scene->file},
                    old(before, &Version::system), make_system);
   const auto shares_of = [&](const auto& arranged, const auto& with_scene, Granularity of, LightTest by) {
     return LightSharesInput{arranged.stage, with_scene.stage, of, beams_of(scene->lights), scene->light_places, by};

@@ -22,6 +22,7 @@ KnownFactor3 view_factor(const Simulation3& simulation, const std::string& from,
   const auto factors = simulation.factors();
   const ExchangeMatrix& matrix = factors->matrix;
   const std::uint32_t row = row_of(matrix, from), column = require_element(matrix, to);
+  require_chosen(simulation.request().factors.rows, matrix, row);
   const auto entries = matrix.row(row);
   for (std::size_t k = 0; k < entries.size(); ++k)
     if (entries[k].to == column) return {entries[k].factor.value, matrix.bounds(row, k), matrix.guarantee(row, k)};

@@ -305,8 +305,8 @@ struct Simulation3::Version {
         "hidden pairs", [ready = prepared, made = factors, asked = request.factors](const StageProgress& progress) {
           const auto there = ready->get(progress);
           const auto computed = made->get(progress);
-          return with_file_context(there->scene.file,
-                                   [&] { return hidden_pairs(*there, asked.granularity, computed->matrix); });
+          return with_file_context(
+              there->scene.file, [&] { return hidden_pairs(*there, asked.granularity, computed->matrix, asked.rows); });
         });
   }
 
@@ -365,7 +365,8 @@ struct Simulation3::Version {
   void make_system() {
     system = std::make_shared<Stage<RadiositySolver>>(
         "radiosity", [its = scene, made = factors, ready = prepared, asked = request.system,
-                      method = request.factors.method](const StageProgress& progress) {
+                      method = request.factors.method, rows = request.factors.rows](const StageProgress& progress) {
+          require_all(rows);
           const auto computed = made->get(progress);
           if (method == nullptr) {
             hottel::require_closed(*its, computed->matrix);

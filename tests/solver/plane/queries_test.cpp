@@ -38,6 +38,17 @@ TEST(Queries2, TellClosedFormsByName) {
   EXPECT_THROW(exact_pair(Simulation2(room(1).build()), "sky", "lamp"), UsageError);
 }
 
+// A row that was not chosen is empty, which says nothing of its factors.
+TEST(Queries2, OfRowsThatWereNotChosenNothingIsTold) {
+  const Scene2 scene = room(1).build();
+  const Simulation2 simulation(scene, {.rows = RowChoice::of(scene, "lamp", Granularity::kFace)});
+  EXPECT_GT(view_factor(simulation, "lamp", "room[3]").value, 0);
+  EXPECT_THAT([&] { view_factor(simulation, "room[3]", "lamp"); },
+              ThrowsMessage<UsageError>("'room[3]' has a row, but it was not chosen: nothing is known of its factors"));
+  EXPECT_THAT([&] { simulation.radiosities(); },
+              ThrowsMessage<UsageError>("radiosities need the view factors of all rows, and only some were chosen"));
+}
+
 TEST(Queries2, LightAtAPointIsThatOfACellWithThisCentre) {
   SceneBuilder2 builder = room(1);
   builder.set_grid({0, 0}, {4, 3}, 4, 3);

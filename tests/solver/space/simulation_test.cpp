@@ -17,6 +17,7 @@
 #include "solver/memory_store.h"
 #include "solver/radiosity/radiosity_solver.h"
 #include "solver/space/light/illumination_grid.h"
+#include "solver/space/simulation/queries.h"
 
 namespace hottel::simulation_test {
 namespace {
@@ -38,6 +39,27 @@ TEST(Simulation3, EveryValueIsThatOfTheFunctionBehindIt) {
     }
   EXPECT_EQ(*simulation.hidden(), hidden_pairs(*simulation.prepared(), Granularity::kFace, expected));
   EXPECT_EQ(factors->report.pairs, 15u);
+}
+
+// A row that was not chosen is empty, which says nothing of its factors.
+TEST(Simulation3, OfRowsThatWereNotChosenNothingIsTold) {
+  const Scene3 scene = cube();
+  const Simulation3 simulation(scene, {.factors = {.rows = RowChoice::of(scene, "floor", Granularity::kFace)}});
+  EXPECT_GT(view_factor(simulation, "floor", "ceiling").value, 0);
+  EXPECT_THROW(view_factor(simulation, "ceiling", "floor"), UsageError);
+  EXPECT_THROW(simulation.radiosities(), UsageError);
+  const ExchangeMatrix& matrix = simulation.factors()->matrix;
+  for (const auto& [from, to] : *simulation.hidden()) EXPECT_EQ(matrix.name(from), "floor") << matrix.name(to);
+}
+
+// Three of four parts are no division of a face.
+TEST(Simulation3, TreesThatLeaveOutAPartAreRefused) {
+  const Scene3 scene = cube();
+  std::vector<SurfaceTrees> trees(scene.surfaces.size());
+  for (int digit = 0; digit < 3; ++digit) trees[0].front.push_back({0, TreePath().child(digit)});
+  const Simulation3 divided =
+      Simulation3(scene, {.factors = {.granularity = Granularity::kElement}}).with_trees(std::move(trees));
+  EXPECT_THROW(divided.factors(), ContractViolation);
 }
 
 TEST(Simulation3, AStageIsMadeOnceAndSharedWithOtherRequests) {
