@@ -65,7 +65,7 @@ std::string light_members(const Light& light, const LightPlace2& place) {
   if (!light.is_sun()) text += fmt::format("\"position\": {}", point(place.position));
   if (light.type != LightType::kPoint)
     text += fmt::format("{}\"direction\": {}", text.empty() ? "" : ", ",
-                        point(light.is_sun() ? sun_direction(place) : place.direction));
+                        point(place.turned == 0 ? place.direction : turned_direction(place)));
   if (place.rotation != 0) text += fmt::format(", \"rotation\": {}", json_number(place.rotation));
   if (!place.path) return text;
   std::string points;
@@ -144,7 +144,8 @@ void write_polygons(const Scene3& scene, std::string& out) {
     std::string masks;
     if (mask != scene.masks.end() && mask->surface == s)
       masks = fmt::format(", \"masks\": {}", json_string(scene.surfaces[(mask++)->base].name));
-    const bool is_alone = members[surface.group] == 1 && group.name == surface.name && group.body.empty();
+    const bool is_alone = members[surface.group] == 1 && group.name == surface.name && group.body.empty() &&
+                          group.behind == Behind::kByOutline;
     block.add(fmt::format(
         "{{\"name\": {}, {}\"points\": {}, {}{}{}}}", json_string(surface.name),
         is_alone ? "" : fmt::format("\"group\": {}, ", json_string(group.name)), corners.text(scene.polygons[s].points),

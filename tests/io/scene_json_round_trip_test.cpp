@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "geometry/plane/scene/moving_lights.h"
 #include "io/scene/scene_json.h"
 
 namespace hottel::scene_json_round_trip_test {
@@ -196,6 +197,19 @@ TEST(WriteScene2, KeepsTheOrderOfSurfacesWhereItCannotKeepGroups) {
   ASSERT_EQ(again.surfaces.size(), 5u);
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(again.surfaces[i].name, scene.surfaces[i].name);
   EXPECT_THAT(again.groups, ::testing::ElementsAre("p[0]", "p[1]", "e", "q"));
+}
+
+// A frame of an animation, written: its lights point to where they have turned.
+TEST(WriteScene2, ALightPointsToWhereItHasTurned) {
+  Scene2 scene = parse_scene_2(R"({"hottel": 1, "dimension": 2, "materials": {"m": {}},
+      "edges": [{"name": "e", "points": [[0,0],[1,0]], "material": "m"}],
+      "lights": [{"type": "spot", "position": [0,1], "direction": [0,-1], "focus": 20, "power": 1, "rotation": 15}]})",
+                               "text");
+  LightPlace2& spot = scene.light_places[0];
+  spot = place_after(spot, 6);
+  EXPECT_EQ(parse_scene_2(write_scene_2(scene), "again")->light_places[0].direction, (Point2{1, 0}));
+  spot = place_after(spot, 1);
+  EXPECT_EQ(parse_scene_2(write_scene_2(scene), "again")->light_places[0].direction, turned_direction(spot));
 }
 
 TEST(WriteScene2, RefusesNumbersThatNoSceneFileHolds) {

@@ -20,7 +20,7 @@ LightPlace2 place_after(const LightPlace2& place, const Rational& time) {
   return result;
 }
 
-Point2 sun_direction(const LightPlace2& place) {
+Point2 turned_direction(const LightPlace2& place) {
   if (const Rational quarters = place.turned / 90; quarters.get_den() == 1) {
     Point2 direction = place.direction;
     for (unsigned long k = mpz_fdiv_ui(quarters.get_num_mpz_t(), 4); k > 0; --k)

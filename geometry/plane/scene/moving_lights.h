@@ -11,9 +11,9 @@ namespace hottel {
 //   (2) on a path its position is rounded to doubles (place_on_path), and exact from there
 LightPlace2 place_after(const LightPlace2& place, const Rational& time);
 
-// The direction of the rays of a sun as it stands: that of its place, turned as that says. By quarters of a turn it is
-// exact; else it is rounded to doubles, of a vector whose largest component is 1, and exact from there.
-Point2 sun_direction(const LightPlace2& place);
+// The direction of a light as it stands: that of its place, turned as that says. By quarters of a turn it is exact;
+// else it is rounded to doubles, of a vector whose largest component is 1, and exact from there.
+Point2 turned_direction(const LightPlace2& place);
 
 // True iff some light of the scene turns or follows a path. A point light that turns does not move.
 bool has_moving_lights(const Scene2& scene);

@@ -49,7 +49,7 @@ LightShares shares_of(const PreparedScene2& prepared, const ElementTable2& table
 
 LightShares shares_of_sun(const PreparedScene2& prepared, const ElementTable2& table, const LightPlace2& place) {
   constexpr long kPrecision = 256;
-  const SunView2 view(prepared.arrangement, sun_direction(place));
+  const SunView2 view(prepared.arrangement, turned_direction(place));
   std::vector<Rational> width(std::size_t{table.count()} + 1);
   for (const SunView2::Strip& strip : view.strips()) width[table.of(strip.side)] += view.width(strip);
   const Point2& d = view.direction();

@@ -112,7 +112,7 @@ LitRegions2::LitRegions2(const PreparedScene2& prepared) {
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
     const Power power = power_by_typed_distance_2(scene, scene.lights[k]);
     if (scene.lights[k].is_sun()) {
-      suns_.push_back({SunView2(prepared.arrangement, sun_direction(scene.light_places[k])), power});
+      suns_.push_back({SunView2(prepared.arrangement, turned_direction(scene.light_places[k])), power});
       continue;
     }
     regions_.push_back(std::make_unique<LitRegion2>(prepared, location, scene.lights[k], scene.light_places[k]));

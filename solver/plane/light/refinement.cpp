@@ -79,7 +79,7 @@ class LitEdges2 {
 
   void look_from_sun(const LightPlace2& place) {
     const Vertices2& vertices = prepared_.arrangement.vertices();
-    const SunView2 view(prepared_.arrangement, sun_direction(place));
+    const SunView2 view(prepared_.arrangement, turned_direction(place));
     for (const SunView2::Strip& strip : view.strips()) {
       const Face face = prepared_.arrangement.owner(strip.side);
       const Edge2& edge = prepared_.scene.edges[face.surface];

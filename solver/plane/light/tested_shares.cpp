@@ -57,7 +57,7 @@ class SunTester {
  public:
   SunTester(const PreparedScene2& prepared, const LightPlace2& place, LightTest test)
       : vertices_(prepared.arrangement.vertices()),
-        view_(prepared.arrangement, sun_direction(place)),
+        view_(prepared.arrangement, turned_direction(place)),
         scale_over_length_(to_double(vertices_.scale() * metres_per_unit(prepared.scene)) /
                            std::hypot(to_double(view_.direction().x), to_double(view_.direction().y))),
         test_(test) {}

@@ -309,6 +309,12 @@ TEST(SceneJson3, SaysWhatIsBehindAGroup) {
             "in/scene.json:5: polygon 'b': another polygon of the group 'box' says that something else is behind it");
   const Scene3 scene = parse_scene_3(with_polygons(first + open + "},\n" + second + "}"), "in/scene.json");
   EXPECT_EQ(parse_scene_3(write_scene_3(scene), "again.json")->groups, scene.groups);
+  // A group of one polygon, called as this is.
+  const Scene3 alone = parse_scene_3(
+      with_polygons("{\"material\": \"m\", \"group\": \"a\", \"name\": \"a\", " + std::string(kTriangle) + open + "}"),
+      "in/scene.json");
+  ASSERT_EQ(alone.groups[0].behind, Behind::kOpen);
+  EXPECT_EQ(parse_scene_3(write_scene_3(alone), "again.json")->groups, alone.groups);
 }
 
 TEST(SceneJson3, RefusesWrongMeshes) {

@@ -305,13 +305,13 @@ TEST(Sun2, ElementsAreDividedWhereShadowsEnd) {
 
 TEST(Sun2, TurnsAsTimePassesAndQuartersAreExact) {
   const LightPlace2 place{.position = {}, .direction = {0, -1}, .rotation = 15};
-  EXPECT_EQ(sun_direction(place_after(place, 0)), (Point2{0, -1}));
-  EXPECT_EQ(sun_direction(place_after(place, 6)), (Point2{1, 0}));
-  EXPECT_EQ(sun_direction(place_after(place, 12)), (Point2{0, 1}));
-  EXPECT_EQ(sun_direction(place_after(place, 24)), (Point2{0, -1}));
+  EXPECT_EQ(turned_direction(place_after(place, 0)), (Point2{0, -1}));
+  EXPECT_EQ(turned_direction(place_after(place, 6)), (Point2{1, 0}));
+  EXPECT_EQ(turned_direction(place_after(place, 12)), (Point2{0, 1}));
+  EXPECT_EQ(turned_direction(place_after(place, 24)), (Point2{0, -1}));
   const LightPlace2 slanted{.position = {}, .direction = {Rational(1, 3), Rational(-1, 7)}, .rotation = -90};
-  EXPECT_EQ(sun_direction(place_after(slanted, 1)), (Point2{Rational(-1, 7), Rational(-1, 3)}));
-  const Point2 turned = sun_direction(place_after(place, 2));
+  EXPECT_EQ(turned_direction(place_after(slanted, 1)), (Point2{Rational(-1, 7), Rational(-1, 3)}));
+  const Point2 turned = turned_direction(place_after(place, 2));
   EXPECT_DOUBLE_EQ(to_double(turned.x), 0.5);
   EXPECT_DOUBLE_EQ(to_double(turned.y), -std::sqrt(3.0) / 2);
   Scene2 scene = wall_on_ground();
