@@ -72,6 +72,7 @@ struct RadiositySolver::Parts {
 RadiositySolver::RadiositySolver(std::shared_ptr<const ExchangeMatrix> matrix,
                                  const std::vector<Spectrum>& reflectivity, RadiosityOptions options) {
   HOTTEL_REQUIRE(matrix != nullptr);
+  HOTTEL_REQUIRE(options.iterations.value_or(0) >= 0 && options.until.value_or(0) >= 0);
   const DefaultFloatingPoint arithmetic;
   parts_ = std::make_unique<const Parts>(std::move(matrix), reflectivity, std::move(options));
 }

@@ -540,6 +540,9 @@ TEST(RadiositySolver, RefusesSourcesOfAnotherMatrix) {
   EXPECT_THROW(solver.solve(sources), ContractViolation);
   EXPECT_THROW(RadiositySolver(shared(scene.matrix()), {}), ContractViolation);
   EXPECT_THROW(RadiositySolver(nullptr, {}), ContractViolation);
+  const std::vector<Spectrum> reflectivity = reflectivities_of(scene.scene().materials);
+  EXPECT_THROW(RadiositySolver(shared(scene.matrix()), reflectivity, {.iterations = -1}), ContractViolation);
+  EXPECT_THROW(RadiositySolver(shared(scene.matrix()), reflectivity, {.until = -1e-9}), ContractViolation);
 }
 
 TEST(RadiositySolver, TellsHowFarItIsAndStopsWhenToldTo) {
