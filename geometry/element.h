@@ -85,7 +85,7 @@ std::vector<TreeNode> uniform_leaves(std::uint32_t parts, int children, int dept
 // kFace:    a face, whole
 // kElement: one of the equal parts of a face with a material, or a leaf of the trees under them; a black back is never
 //           divided
-// kGroup:   all fronts, or all backs, of one polyline
+// kGroup:   all fronts, or all backs, of the surfaces of one group
 enum class Granularity : unsigned char { kFace, kElement, kGroup };
 inline constexpr std::size_t kGranularities = 3;
 
@@ -98,9 +98,13 @@ struct Element {
   std::uint32_t surface = 0;          // index into the scene's surfaces (the first one of a group)
   std::uint32_t part = 0, parts = 1;  // which of how many equal parts
   bool is_back = false;
-  std::optional<std::uint32_t> material;  // none: an opaque black back, which has a column but no row
-  Rounded area;                           // length in 2D [scene unit], 0 when other surfaces own all of it
-  TreePath path{};                        // under its part
+  // None: an opaque black back, which has a column but no row. Of a group with several materials that of the last
+  // surface that has any: factors need no more.
+  std::optional<std::uint32_t> material;
+  // What of it is not owned by others: its area [m²], in the plane its length [m], whatever unit the scene is typed in;
+  // in the scene's unit where that is not known (SceneTable::unit). 0 where others own all of it.
+  Rounded area;
+  TreePath path{};  // under its part
 
   // True iff it is not the whole face.
   bool is_part() const { return parts > 1 || path.depth() > 0; }
@@ -110,7 +114,7 @@ struct Element {
 // What an element is called: its face's name, and where it is a part of it, "#2" or "#2/01".
 std::string element_name(const std::string& face, std::uint32_t parts, const TreeNode& node);
 
-// Two elements by number, the smaller first, or an element and the sky.
+// Two elements by number, or an element and the sky. The smaller is first unless who returns it says otherwise.
 using ElementPair = std::pair<std::uint32_t, std::uint32_t>;
 
 }  // namespace hottel

@@ -30,7 +30,8 @@ namespace hottel {
 //   (3) where an entry is kEnclosed, bounds() contain the real factor and the double
 //   (4) where an entry is kEstimated, bounds() contain the real factor; the double is an estimate without proof
 //   (5) only elements with a material and an area have a row; pairs that exchange nothing have no entry. Conversely,
-//       a pair without an entry provably exchanges nothing, unless all entries are estimated
+//       a pair without an entry provably exchanges nothing, unless all entries are estimated, or its row was not chosen
+//       (ExchangeRequest::rows): such a row is empty, and says nothing
 //   (6) where has_closed_rows(), the real factors of each row sum to 1, the sky included
 //   (7) rows are compressed: entry k of row i stands at begins()[i] + k of columns(), factors(), visibilities(), and of
 //       measures, bounds and guarantees if the matrix has these
@@ -66,7 +67,9 @@ class ExchangeMatrix {
     const Rounded& area = elements_[i].area;
     return elements_[i].material.has_value() && (area.value > 0 || area.side > 0);  // the double may underflow
   }
-  // The entries of row i, ascending by `to`; empty where the element has no row, or exchanges nothing.
+  // The entries of row i, ascending by `to`; empty where the element has no row, or exchanges nothing, or its row was
+  // not chosen. REQUIRES i < size(), for the sky has no row; has_row() and all that take a row by number require it
+  // too.
   FactorRow row(std::uint32_t i) const {
     const std::size_t b = begin_[i];
     return {entries_.columns_.data() + b, entries_.factors_.data() + b,
@@ -80,16 +83,20 @@ class ExchangeMatrix {
   std::size_t entry_count() const { return entries_.size(); }
 
   // The arrays themselves, for scipy.sparse, HDF5, PETSc and the like. They live as long as the matrix.
-  std::span<const std::size_t> begins() const { return begin_; }  // size() + 1 of them
+  std::span<const std::size_t> begins() const { return begin_; }  // size() + 1 of them; none of a default matrix
   std::span<const std::uint32_t> columns() const { return entries_.columns_; }
   std::span<const double> factors() const { return entries_.factors_; }
+  // Vis = S / S0 of each entry; as many as factors. Exactly 1 iff nothing hides a part. In the plane the nearest
+  // double, but 0 or 1 only where Vis is; in space as good as S and S0, without bounds. NaN where they were not asked
+  // for, and of methods that have none; the exact methods always give that of the sky, which is F itself.
   std::span<const double> visibilities() const { return entries_.visibilities_; }
   // Where the arrays are stored: null for the heap. A caller who makes arrays of this size
   // should store them there too.
   const std::shared_ptr<const FolderMemory>& memory() const { return memory_; }
 
-  // The direct exchange area S(from, to) = A_from F(from, to), correctly rounded, for each entry of the row. Empty
-  // unless measures were asked for.
+  // The direct exchange area S(from, to) = A_from F(from, to) for each entry of the row [m²; in the plane m; as
+  // Element::area]. Correctly rounded where the entry is kExact, else within the tolerance, as the factor is. Empty
+  // unless measures were asked for, of the exact method.
   std::span<const double> measures(std::uint32_t i) const {
     return measures_.empty() ? std::span<const double>()
                              : std::span(measures_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
@@ -99,7 +106,8 @@ class ExchangeMatrix {
   // assign() if it is enclosed or estimated; [0, 1] if it is estimated and none were given.
   Enclosure bounds(std::uint32_t i, std::size_t k) const;
 
-  // Returns F(from, to); 0 where there is no entry. COST: O(log n) for n entries of the row.
+  // Returns F(from, to); 0 where there is no entry. Only of an entry that is kExact do `side` and enclosure() hold; of
+  // others `side` is 0 and tells nothing, and bounds() has what is proven. COST: O(log n) for n entries of the row.
   Rounded factor(std::uint32_t from, std::uint32_t to) const;
   // The same by name. Throws UnknownName where there is no such element, UsageError where `from` is the sky or has no
   // row.

@@ -21,7 +21,7 @@ namespace hottel {
 struct FactorEntry {
   std::uint32_t to = 0;
   Rounded factor;
-  double visibility = 1;  // Vis = S / S0; NaN where it was not asked for
+  double visibility = 1;  // Vis = S / S0, or NaN: ExchangeMatrix::visibilities() says where
 };
 
 // Some entries that stand one after the other in arrays. It is as cheap to copy as a span, and is valid as long as one.

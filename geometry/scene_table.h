@@ -68,11 +68,13 @@ struct Surface {
 // name, without those that are patches on this group themselves (PatchBases).
 using PatchBase = SideName;
 
-// What is behind the backs of a group.
+// What is behind the backs of a group. It is obeyed, or refused, when the scene is prepared (InputError).
 enum class Behind : unsigned char {
-  kByOutline,  // nothing is said: a solid where the group is a closed outline with its fronts outward
-  kSolid,      // the bounded regions that its black backs look into are solid
-  kOpen,       // the group makes nothing solid
+  kByOutline,  // nothing is said: a solid where the group is a closed outline or mesh, fronts outward, and no back has
+               // a material
+  kSolid,  // in the plane: the bounded regions that a back without a material, and no front of the group, looks into;
+           // in space: what the group or its body encloses, which has to be closed with its fronts outward
+  kOpen,   // the group makes nothing solid
 };
 
 // A single surface, or the surfaces of one polyline or mesh. It has a name and says what is behind its backs; its

@@ -75,14 +75,16 @@ ValidScene3 parse_scene_3(std::string_view text, const std::string& name_for_mes
 
 // Returns the text of a scene file.
 //
-//   (1) it reads back to the same scene exactly: materials, surfaces, sky, grid or camera, and expectations
+//   (1) it reads back to the same scene exactly, but for what no scene file holds: where things stood in files (file,
+//       sources, lines; those of the text take their place), trees, groups and bases that no surface has, and in the
+//       plane what a light that moves has turned so far: its direction is written turned, rounded to doubles unless by
+//       quarters of a turn. Faces of meshes become polygons
 //   (2) in the plane groups are read back too when edges stand before polylines, as in every scene that was read; in
-//       space when they are numbered by their first surfaces, as there, faces of meshes having become polygons
+//       space when they are numbered by their first surfaces, as there
 //   (3) one edge, polyline or polygon a line; short decimals as JSON numbers, other values as strings
 //
 // A polyline that stands before an edge is written as edges: the order decides who owns an overlap, so it is kept.
-// REQUIRES: validate(scene) holds; names of materials are unique; texts are UTF-8; in space no group says what is
-// behind it.
+// REQUIRES: validate(scene) holds; names of materials are unique; texts are UTF-8.
 // Throws RequestError when a value has more digits than a scene file may hold (kMaxNumberLength).
 std::string write_scene_2(const Scene2& scene);
 std::string write_scene_3(const Scene3& scene);

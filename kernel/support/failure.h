@@ -65,7 +65,8 @@ class RequestError : public std::runtime_error {
 };
 
 // The program or a function behind one of its options was asked for something that it does not have, or that is out of
-// range: an option, an ending, a method, a name. what() is one line for the user.
+// range: an option, an ending, a method, a name. what() is one line for the user. An UnknownName is one: of a name that
+// does not exist.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -55,12 +55,11 @@ class MethodComparison {
     reference_ = reference_errors(*exact_, tolerance_, exact_solution_);
   }
 
-  // Runs a method, times it and takes its errors. runs: as in time_repeatedly(). Of repeated runs the last one's matrix
-  // and report are kept. Seconds are the method's own where its report has them. progress: of each run anew; what it
-  // throws is passed on.
+  // Runs a method, times it and takes its errors. runs: so many after one to warm up; nothing: until three took half a
+  // second together, at most ten seconds. Of repeated runs the last one's matrix and report are kept. Seconds are the
+  // method's own where its report has them. progress: of each run anew; what it throws is passed on.
   //
-  //   (1) info.guarantee is what the method says of itself, or what all its factors on this scene have where that is
-  //       more
+  //   (1) info.guarantee is the stronger of two: what the method says of itself, and what all its factors here have
   //   (2) max_radiosity_error is nothing where there is no exact solution; it is infinite, and a note says why, where
   //       the method's matrix has none though there is an exact one
   // Throws RequestError when the method cannot be run on the scene. COST: the runs, and one solution of its matrix.

@@ -28,7 +28,13 @@ std::optional<Solver> solver_named(std::string_view name);  // "auto", "cholesky
 struct RadiosityOptions {
   Solver solver = Solver::kAuto;
   // Iterative solvers stop after so many iterations, or when |residual| <= until * (largest source of the component)
-  // everywhere. If one of the two is given, cg is not refined. Default: 1e-12, 10,000 iterations (100,000 shots).
+  // everywhere, whichever is first. Default: 10,000 iterations (100,000 shots), 1e-12. `iterations` alone: until is 0,
+  // so all are done. If one of the two is given, cg is not refined. Direct solvers, and kAuto where rows do not sum to
+  // 1, take neither.
+  //
+  // To run out of iterations is no failure: bounds are proven of what was reached, and are wider. A note of the
+  // solution tells the residual; with `iterations` alone only where it is above 1e-9. REQUIRES that neither is
+  // negative.
   std::optional<int> iterations = {};
   std::optional<double> until = {};
   // One light after another will be solved for. Where rows do not sum to 1, kAuto then uses LU up to 2000 unknowns in

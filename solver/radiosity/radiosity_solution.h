@@ -29,7 +29,8 @@ struct ElementRadiosity {
   double net() const { return radiosity - irradiance; }
 };
 
-// Power [W; W per metre of depth in the plane], sums over the rows of the matrix. What the sky sends in and what
+// Power [W; W per metre of depth in the plane; radiosity times area where the unit of length is not known], sums over
+// the rows of the matrix. What the sky sends in and what
 // arrives directly (RadiositySources) counts as emitted. emitted = absorbed + to_sky + defect.
 struct EnergyBalance {
   double emitted = 0, absorbed = 0, to_sky = 0, defect = 0;
@@ -44,7 +45,9 @@ struct DarkComponent {
 // One channel of a solution. Lists by element are as long as the matrix has elements.
 struct ChannelSolution {
   std::vector<ElementRadiosity> elements;  // by element of the matrix; those without a row are 0
-  std::vector<double> residual_history;    // max |residual| / largest source of its component, the start first
+  // Max |residual| / largest source of its component: of the start, then after each iteration; of lu once. Of shooting
+  // the largest light that is not shot yet, in place of the residual. Empty where nothing was solved.
+  std::vector<double> residual_history;
   std::vector<DarkComponent> dark;
   EnergyBalance energy;
   double max_relative_width = 0;  // the most (upper - lower) / |radiosity|, of radiosities that are not 0

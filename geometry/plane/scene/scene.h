@@ -43,7 +43,8 @@ struct LightPlace2 {
 inline constexpr std::uint32_t kMaxGridCells = 16384;
 
 // A grid of nx times ny equal cells over the region from min to max, in scene coordinates: where light is asked for.
-// Where there are several grids each has a name. The names of files with its results contain it.
+// Where there are several grids each has a name; one alone may have one. Names of files with results contain it: it is
+// UTF-8 of 100 bytes at most, without control characters and / \ : * ? " < > |, and two differ in more than case.
 struct Grid2 {
   Point2 min, max;
   std::uint32_t nx = 0, ny = 0;

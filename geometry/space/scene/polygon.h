@@ -14,7 +14,8 @@ struct Polygon3 {
   std::vector<Point3> points = {};              // the last is joined to the first
   std::vector<std::vector<Point3>> holes = {};  // each in any sense
   // Its points are not in one plane, but so nearly that it stands for its triangles (facets_of): they have its name,
-  // its row and its area together, and each its own plane. See accept_nearly_plane.
+  // its row and its area together, and each its own plane. Readers set it where points are off a plane only by the
+  // rounding of their last digits. Who sets it answers for the distance: it is not measured again.
   bool is_nearly_plane = false;
   // Of a patch across bends of what it lies on: the triangles that it stands for (draped). Else none, for it has those
   // of triangles_of_loops.

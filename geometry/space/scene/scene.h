@@ -30,8 +30,9 @@ struct Camera3 {
 // is: `up` is not parallel to the direction of view, 0 < field_of_view < 180, and pixels from 1 to kMaxPixels.
 std::string camera_problem(const Camera3& camera);
 
-// A surface whose front lies on the front of another one, its base, at no distance. Where they
-// coincide, mask and base see each other completely, and nothing else. The back of a mask is an ordinary back.
+// A surface that lies on another one, its base, and faces it, front to front, at no distance. Where they coincide, the
+// two fronts see each other completely, and nothing else; others see the back of the mask there, an ordinary back. The
+// base keeps its area. (A patch, Surface::on, faces as its base does and takes its place.)
 struct Mask3 {
   std::uint32_t surface = 0, base = 0;  // indices into SceneTable::surfaces
   friend bool operator==(const Mask3&, const Mask3&) = default;
@@ -59,8 +60,9 @@ struct LightPlace3 {
 inline constexpr std::uint32_t kMaxGridCells3 = 16384;
 
 // Where light is asked for: nu times nv equal cells of the parallelogram from `origin` along u and along v; with w a
-// volume, nu times nv times nw cells of the parallelepiped. Where there are several grids each has a name. The
-// names of files with its results contain it.
+// volume, nu times nv times nw cells of the parallelepiped.
+// Where there are several grids each has a name; one alone may have one. Names of files with results contain it: it is
+// UTF-8 of 100 bytes at most, without control characters and / \ : * ? " < > |, and two differ in more than case.
 struct Grid3 {
   Point3 origin;
   Vector3 u, v;
@@ -86,8 +88,9 @@ Point3 place_in(const Grid3& grid, const Rational& s, const Rational& t, const R
 //   (1) polygons[s] is the geometry of surfaces[s]; both lists are equally long
 //   (2) every polygon is valid (polygon_problem): plane, exactly or as nearly as that function asks, of positive area
 //   (3) the table is valid (SceneTable), and neither camera nor grids have a problem
-//   (4) masks ascend by surface; a mask and its base have materials, and lie in one plane, facing each other; no base
-//       and no patch is a mask. Arrangement3 requires besides that masks lie within their bases and do not overlap
+//   (4) masks ascend by surface; a mask and its base have materials, and lie exactly in one plane, facing each other;
+//       neither is a patch, and no base is a mask. Arrangement3 requires besides that masks lie within their bases and
+//       do not overlap
 //   (5) light_places[k] is the place of lights[k]; no light lies on a polygon, and directions are not zero
 //   (6) a patch lies exactly on its base, the surface that it covers a part of, faces the same way, and stays within it
 //       (validate_patches)
@@ -113,8 +116,8 @@ struct Scene3 : SceneTable {
 };
 
 // Throws InputError unless (2) to (6) hold: it names the file, and line, surface or light where one is at fault. Throws
-// ContractViolation unless (1) holds and each light has one place. COST: that of polygon_problem, and linear for each
-// light.
+// ContractViolation unless (1) holds, each light has one place, and masks ascend and are of surfaces that are there.
+// Trees of elements are not looked at. COST: that of polygon_problem, and linear for each light.
 void validate(const Scene3& scene);
 
 // A scene that is known to be valid. Only validation makes one, and the functions that change one keep it valid. A

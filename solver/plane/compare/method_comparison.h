@@ -26,7 +26,9 @@ class MethodComparison2 : public MethodComparison<PreparedScene2> {
 };
 
 // Adds the verdict in words to the notes of a result whose factors were read from a file or came from a command; does
-// nothing to other results. REQUIRES a result of this comparison, with its matrix. beyond: as in VerdictOptions.
+// nothing to other results. beyond: a pair is off where its factor is wrong by more than this,
+// absolutely, and by more than the file's rounding; 1e-6 is usual. REQUIRES a result of this comparison, with its
+// matrix.
 void add_verdict(const MethodComparison2& comparison, double beyond, MethodResult& result);
 // The same; `watch` is told of laws and findings as they are found.
 void add_verdict(const MethodComparison2& comparison, double beyond, MethodResult& result, const VerdictWatch& watch);

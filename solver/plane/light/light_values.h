@@ -1,4 +1,4 @@
-// Light in space as numbers, on a grid of cells.
+// Light between the faces in the plane as numbers, on a grid of cells.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,14 @@
 
 namespace hottel {
 
-// How light is spread onto the grid.
+// What the value of a cell is.
+//
+//   kPoint          the mean irradiance at its centre, over all directions, that of lights included         [W/m²]
+//   kAverage        the mean of that over the free part of the cell, with a proven bound                    [W/m²]
+//   kInverseSquare  the sum of length * radiosity / distance² over elements, each times the part of it that is seen:
+//                   the formula of some programs, to compare with                                           [W/m³]
+//
+// The second and the third are refused in a scene with lights (RequestError): theirs would be missing.
 enum class LightKind2 : unsigned char { kPoint, kAverage, kInverseSquare };
 
 // The word for it: "point", "average", "inverse-square".
@@ -20,7 +27,8 @@ const char* to_string(LightKind2 kind);
 std::optional<LightKind2> light_kind_2(std::string_view word);
 
 // A value for each cell and channel, in C order (ny, nx, channels): index 0 is the lowest y, the lowest x. NaN in all
-// channels: the cell lies in a solid.
+// channels: the centre of the cell is in a solid (of averages: all of it is), or the scene is closed and the centre
+// sees no face with a material. Infinite where the centre is a light.
 struct IlluminationGrid2 {
   Grid2 grid;
   std::uint32_t channels = 1;

@@ -26,12 +26,15 @@ struct VisibilityPolygon2;
 // Each computes the stages that it needs, and throws what they throw (simulation.h), unless it says otherwise. Names
 // are those of rows: "wall", "wall:back", or "wall#2" if faces are divided. Throws UnknownName for other names.
 
-// Returns F(from, to), as ExchangeMatrix::factor; `to` may be "sky".
+// Returns F(from, to), as ExchangeMatrix::factor; `to` may be "sky". By a method that is not exact it is an estimate,
+// and its enclosure() proves nothing. Throws UsageError where `from` is the sky, or has no row, or its row was not
+// chosen.
 Rounded view_factor(const Simulation2& simulation, const std::string& from, const std::string& to);
 
 // Returns the direct exchange area S of a pair in closed form, with S0, what it would be with nothing between, and both
-// areas. It is exact whatever the method of the simulation. Throws
-// UsageError where `from` is the sky.
+// areas, all in the unit in which the scene is typed. It is exact whatever the method of the simulation. Names are
+// those of columns: `from` may be without a row; `to` may be "sky", whose area is left 0. Throws UsageError where
+// `from` is the sky.
 ExactPair2 exact_pair(const Simulation2& simulation, const std::string& from, const std::string& to);
 
 // Returns the result for an element in a channel: its radiosity with bounds, irradiance and net flux. Throws
@@ -42,12 +45,13 @@ ElementRadiosity radiosity_of(const Simulation2& simulation, const std::string& 
 // [unit: that of radiosity]
 struct PointLight2 {
   std::vector<std::string> channel_names;
-  std::vector<double> mean_irradiance;  // by channel; NaN inside a solid
-  std::string why_none;                 // why there is no solution, or none in doubles; else empty
+  std::vector<double> mean_irradiance;  // by channel; NaN in a solid and outside a closed scene, infinite at a light
+  std::string why_none;                 // the RequestError that was met; empty where there is light
 };
 
-// Returns the light at a point in scene coordinates. Does not throw RequestError: if there is no solution, why_none
-// says why, and the lists are empty. COST: the radiosities, if they are not computed yet, and point location.
+// Returns the light at a point in scene coordinates. Throws no RequestError: if a stage meets one, too little memory
+// and a broken promise included, why_none is its text, and the lists are empty. COST: the radiosities, if they are not
+// computed yet, and point location.
 PointLight2 light_at(const Simulation2& simulation, const Point2& point, const StageProgress& progress = {});
 // The same for a caller who knows already what the point sees.
 PointLight2 light_at(const Simulation2& simulation, const VisibilityPolygon2& seen, const StageProgress& progress = {});

@@ -57,10 +57,12 @@ class LightPainter2 {
 //   (1) two requests are equal if all their members are; methods and painters are equal if they are the same object
 struct SimulationRequest2 {
   std::shared_ptr<const ExchangeMethod<PreparedScene2>> method = {};  // null: the exact one
-  std::optional<Granularity> granularity = {};            // nothing: elements if any surface is divided, else faces
+  std::optional<Granularity> granularity = {};  // nothing: elements if a surface is divided or `everything`, else faces
   bool wants_visibility = false, wants_measures = false;  // beside the factors
-  RowChoice rows = {};                                    // as ExchangeRequest takes them
-  bool everything = false;                                // every effect (Plan), also those the scene does not need
+  // As ExchangeRequest takes them, for factors() alone: system(), radiosities() and what is computed from them throw
+  // UsageError unless all rows are chosen.
+  RowChoice rows = {};
+  bool everything = false;  // every effect (Plan), also those the scene does not need
   Solver solver = Solver::kAuto;
   std::optional<int> iterations = {};  // of solvers that iterate, as in RadiosityOptions
   std::optional<double> until = {};
@@ -69,10 +71,13 @@ struct SimulationRequest2 {
   bool wants_picture = true;       // whether plan() counts a picture
   LightKind2 light = LightKind2::kPoint;
   LightTest lights = LightTest::kExact;  // how elements are lit by the scene's lights; light in the rooms stays exact
-  bool keeps_rows = false;  // what the cells see is kept: light after an edit of materials needs no further look
+  bool keeps_rows = false;  // of kPoint: what the cells see is kept, and light after an edit of materials made of it
   std::shared_ptr<const LightPainter2> painter = {};  // null: no picture can be asked for
-  std::uint64_t memory = 0;                           // bytes, as memory_allowed() takes it
-  // Factors that it has are read from it, others are written to it once they are computed. No result depends on it.
+  // Bytes that factors may take; 0: four fifths of what is free when they are computed. Where they need more, factors()
+  // throws RequestError.
+  std::uint64_t memory = 0;
+  // Factors that it has are read from it, others are written to it once they are computed. All rows are computed then,
+  // whatever `rows` chooses. No number depends on it.
   std::shared_ptr<FactorStore> store = {};
 
   friend bool operator==(const SimulationRequest2&, const SimulationRequest2&) = default;
@@ -131,7 +136,7 @@ class Simulation2 {
   const Scene2& scene() const;
   const SimulationRequest2& request() const;
   const Grid2& grid() const;        // where light is asked for: the request's, else default_grid(scene())
-  Granularity granularity() const;  // whether faces or elements have rows
+  Granularity granularity() const;  // what has rows: as the request says, or by its default
 
   // The stages. progress: as Stage::get() takes it; it is told of "view factors", "radiosity", "illumination", and of
   // others as they run.
@@ -148,8 +153,9 @@ class Simulation2 {
   std::shared_ptr<const SolvedLight2> light(const StageProgress& progress = {}) const;
   // REQUIRES a painter in the request; throws ContractViolation otherwise.
   std::shared_ptr<const LightPicture2> picture(const StageProgress& progress = {}) const;
-  // lost_light: warnings of light that is lost; check: all findings of `check`. Both use the exact factors, which are
-  // those of this version if its method is exact.
+  // lost_light: warnings of light that is lost, by factors(): they are those of `check` only where the method is exact
+  // and all rows are chosen. REQUIRES that granularity() is not kGroup. check: all findings of `check`, by the exact
+  // factors of all rows, whatever the request says.
   std::shared_ptr<const std::vector<Finding2>> lost_light(const StageProgress& progress = {}) const;
   std::shared_ptr<const SceneCheck2> check(const StageProgress& progress = {}) const;
 

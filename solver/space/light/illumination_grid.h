@@ -23,14 +23,17 @@ struct IlluminationGrid3 {
   Grid3 grid;
   std::uint32_t channels = 1;
   std::vector<double> values;
-  double seconds = 0;            // what it took
-  std::vector<double> errors{};  // by cell, of averages: what their values may be off (average_irradiance.h)
+  double seconds = 0;  // what it took
+  // By cell, of averages: proven, no channel's value is farther than this from the real number, for the radiosities as
+  // given. 0 where the value is NaN. Empty of light at points.
+  std::vector<double> errors{};
 
   bool is_average() const { return !errors.empty(); }
   // The largest of the errors; nothing of light at points.
   std::optional<double> max_error() const;
 
-  // Of a planar grid.
+  // REQUIRES a planar grid, iu < grid.nu, iv < grid.nv, channel < channels. Of a volume the value of cell_centre(k) is
+  // values[k * channels + channel].
   double at(std::uint32_t iu, std::uint32_t iv, std::uint32_t channel = 0) const {
     return values[(std::size_t{iv} * grid.nu + iu) * channels + channel];
   }

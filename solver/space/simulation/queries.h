@@ -28,8 +28,9 @@ struct KnownFactor3 {
 // Each computes the stages that it needs, and throws what they throw (simulation.h), unless it says otherwise. Names
 // are those of rows: "wall", "wall:back", or "wall#2" if faces are divided. Throws UnknownName for other names.
 
-// Returns F(from, to); `to` may be "sky". By the exact method it is exactly 0 where the two exchange nothing. Throws
-// UsageError where `from` has no row.
+// Returns F(from, to); `to` may be "sky". By the exact method it is exactly 0 where the two exchange nothing; by
+// another one a pair without an entry is 0 in [0, 1], estimated. Throws UsageError where `from` has no row, or its row
+// was not chosen.
 KnownFactor3 view_factor(const Simulation3& simulation, const std::string& from, const std::string& to);
 
 // Returns the result for an element in a channel: its radiosity with bounds, irradiance and net flux. Throws

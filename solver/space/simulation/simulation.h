@@ -35,16 +35,21 @@ struct PreparedScene3;
 
 // Which view factors are asked for, with the defaults.
 struct FactorsRequest3 {
-  // The method; null means "exact". Only the exact method has visibilities, measures, a limit of memory and
-  // hidden pairs.
+  // The method; null means "exact". Only the exact method has visibilities, measures and hidden pairs, and keeps to
+  // `memory`.
   std::shared_ptr<const ExchangeMethod<PreparedScene3>> method = nullptr;
+  // Not chosen by the scene, unlike in the plane: with kFace surfaces are whole, whatever Surface::elements says.
   Granularity granularity = Granularity::kFace;
   bool wants_visibility = false, wants_measures = false;  // beside the factors
   double tolerance = 1e-9;                                // as ExchangeRequest takes it
   SkyBy sky = SkyBy::kIntegral;                           // how factors of the sky are computed
   bool must_be_enclosed = false;                          // each pair within the tolerance; else RequestError
-  RowChoice rows = {};                                    // as ExchangeRequest takes them
-  std::uint64_t memory = 0;                               // bytes, as memory_allowed() takes it
+  // As ExchangeRequest takes them, for factors() and hidden() alone: system(), radiosities() and what is computed from
+  // them throw UsageError unless all rows are chosen.
+  RowChoice rows = {};
+  // Bytes that factors may take; 0: four fifths of what is free when they are computed. Where they need more, factors()
+  // throws RequestError.
+  std::uint64_t memory = 0;
   // Chooses which rows are computed first, and is called as they are done, on the thread that computes them. Only the
   // exact method uses it. It changes no result, so requests that differ in it alone are equal.
   std::shared_ptr<RowWatch3> watch = nullptr;
@@ -86,7 +91,9 @@ class LightPainter3 {
 struct LightRequest3 {
   std::optional<Grid3> grid = {};                          // nothing: the first of the scene
   std::shared_ptr<const LightPainter3> painter = nullptr;  // null: no picture can be asked for
-  bool is_average = false;                                 // over cells (average_irradiance), not at their centres
+  // Two quantities. False: the mean irradiance at the centre of each cell, over all directions. True: the irradiance of
+  // each cell, averaged over it, on the side to which u x v points.
+  bool is_average = false;
   friend bool operator==(const LightRequest3&, const LightRequest3&) = default;
 };
 
@@ -146,7 +153,10 @@ class Simulation3 {
   // The version of another scene. Throws as the constructor.
   Simulation3 with_scene(Scene3 scene) const;
   Simulation3 with_scene(ValidScene3 scene) const;
-  // The same scene with these trees in place of its own. Throws ContractViolation unless there is one for each surface.
+  // The same scene with these trees in place of its own; an empty one divides nothing further. TreeNode::part counts
+  // the parts of its polygon: n^2 of a triangle or quad divided by n, those of each of its triangles for others. Throws
+  // ContractViolation unless there is one for each surface; so does what needs the elements, unless each is whole
+  // (are_whole, with 4 children).
   Simulation3 with_trees(std::vector<SurfaceTrees> trees) const;
 
   const Scene3& scene() const;
@@ -167,7 +177,9 @@ class Simulation3 {
   // REQUIRES a grid, and picture() a planar one and a painter in the request; both throw ContractViolation otherwise.
   std::shared_ptr<const IlluminationGrid3> light(const StageProgress& progress = {}) const;
   std::shared_ptr<const LightPicture3> picture(const StageProgress& progress = {}) const;
-  // The pairs that are hidden (hidden_pairs of exchange.h).
+  // The pairs (from, to) that are hidden, S = 0 < S0, of the rows that are chosen: sorted by `from`, then `to`, the sky
+  // last. (i, j) and (j, i) are both listed where both have rows, (i, sky) where i does not see the sky. REQUIRES the
+  // exact method: what others leave out is listed as well.
   std::shared_ptr<const std::vector<ElementPair>> hidden(const StageProgress& progress = {}) const;
 
  private:
