@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "cli/command.h"
-#include "cli/deck_output.h"
 #include "cli/mesh_output.h"
 #include "cli/scene_input.h"
 #include "geometry/name.h"
@@ -20,6 +19,7 @@
 #include "io/scene/scene_json.h"
 #include "io/scene/space/mesh_reader.h"
 #include "io/scene/space/vs3_reader.h"
+#include "io/scene/space/vs3_writer.h"
 #include "io/scene/table_writer.h"
 #include "kernel/support/counted.h"
 #include "kernel/support/failure.h"
@@ -127,6 +127,20 @@ void convert_scene(const ConvertOptions& options, Streams& streams) {
   }
   if (space && !is_binary_scene_name(options.out)) note_lost_planes(*space, streams);
   std::visit([&](const auto& any) { write_as_scene(options, any, streams); }, scene);
+}
+
+// Reads the scene of a file, in space, and writes it to a deck, combined per "face" or "group"; empty: a deck per
+// group, anything else per face. Remarks tell what the deck does not say. Throws InputError for a scene in the plane.
+void write_deck(const std::string& in, const PolygonOptions& polygons, const std::string& out, const std::string& per,
+                const Streams& streams) {
+  const Scene scene = changeable(read_scene_noting(in, polygons, streams));
+  const Scene3* const in_space = std::get_if<Scene3>(&scene);
+  if (in_space == nullptr)
+    throw InputError({in, 0}, "the scene is in the plane (dimension 2); a deck (.vs3) is in space");
+  const bool combines_groups = per.empty() ? is_vs3(in) : per == "group";
+  const WrittenVs3Deck3 deck = with_file_context(in, [&] { return write_vs3_3(*in_space, combines_groups); });
+  streams.write(out, deck.text);
+  for (const std::string& note : deck.notes) streams.note(one_line(note));
 }
 
 ExitCode convert(const ConvertOptions& options, Streams& streams) {
