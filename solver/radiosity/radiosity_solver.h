@@ -42,7 +42,7 @@ namespace hottel {
 //       radiosities that those allow; they are infinite if some factors within the bounds let light circulate
 //       for ever (enclosed_radiosity.h)
 //   (4) each component (faces that exchange light) is bounded on its own scale, however bright others are; a note
-//       names faces whose bounds remain wide relative to their radiosity (loose_bounds.h)
+//       names faces whose bounds remain wide relative to their radiosity
 //   (5) irradiance is computed from the returned radiosities and D, and net() is radiosity less irradiance; if
 //       iterations were stopped early, B = E + rho H holds within the residual only, and a note says so
 //   (6) emission is E, the middle of its enclosure; in the energy balance D counts as emitted
@@ -53,7 +53,7 @@ namespace hottel {
 //   (10) withdrawn sources (net fluxes below 0) are solved for alone, and bounds subtracted (signed_radiosity.h):
 //       (2) and (3) then hold of both solutions, not of their difference, which may be below 0
 //   (11) in two bands the solar one is solved first. What insulated and given-flux faces gain there is a source
-//       of the thermal one (band_gains.h); bounds hold for both together
+//       of the thermal one; bounds hold for both together
 //
 // Two bands are two channels. Otherwise there is one if all reflectivities and sources are scalars, else three.
 class RadiositySolver {
