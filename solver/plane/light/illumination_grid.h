@@ -15,8 +15,8 @@
 
 namespace hottel {
 
-// Returns the mean irradiance at the centre of each cell (mean_irradiance.h), of several solutions in one look: one
-// grid for each.
+// Returns the mean irradiance at the centre of each cell (PointLights2), of several solutions in one look: one grid for
+// each.
 //
 //   (1) visibility is exact, from the exact centre; a cell does not depend on the others
 //   (2) bit-identical for any number of threads, and whatever other solutions there are

@@ -1,12 +1,26 @@
 #include "solver/plane/light/point_lights.h"
 
+#include <span>
 #include <utility>
 
 #include "geometry/plane/prepared/element_table.h"
 #include "geometry/plane/prepared/prepared_scene.h"
-#include "solver/plane/light/mean_irradiance.h"
 
 namespace hottel {
+namespace {
+
+// Writes the mean irradiance at the eye by channel: the row of the point times what is sent out.
+// REQUIRES: location and view are those of the eye; columns and what is sent out are of one table.
+void mean_irradiance(const Vertices2& vertices, const LightColumns2& columns, const SentOut2& sent_out, const Eye2& eye,
+                     const Location2& location, const View2& view, std::span<double> result) {
+  LightRowFinder2 finder;
+  finder.begin(vertices, columns, Blacks2::kLeftOut);
+  finder.add(eye, location, view);
+  finder.measure();
+  sent_out.light(finder.row(0), result);
+}
+
+}  // namespace
 
 PointLights2::PointLights2(std::shared_ptr<const PreparedScene2> prepared, Granularity granularity,
                            const RadiositySolution& solution)

@@ -11,11 +11,19 @@
 
 namespace hottel {
 
-// The mean irradiance at as many points as one likes, from one solution (mean_irradiance.h) and the scene's lights
-// (lit_region.h).
+// The mean irradiance at as many points as one likes, from one solution and the scene's lights (lit_region.h): how
+// bright the surroundings of a point are, averaged over all directions. Of the solution it is (1/2 pi) times the
+// integral over all directions of the radiosity seen there, per channel: the row of the point (LightRowFinder2, which
+// says what it is on edges and vertices) times what is sent out (SentOut2::light). [unit: that of radiosity]
 //
 //   (1) at() of a point is what at() of its view is, bit for bit
-//   (2) NaN in solids and outside a closed scene (LightRow2::is_nowhere), in every channel
+//   (2) NaN, in every channel, exactly in solids, in the interior of their union, and where the scene is closed and no
+//       face with a material is seen (LightRow2::is_nowhere)
+//   (3) what is seen is decided exactly; the angles are computed in doubles, each good to about 2^-50 turns times the
+//       ratio of the scene's extent to the distance of the vertex
+//   (4) of the solution exactly B where everything seen sends out B; never below the least nor above the largest
+//       radiosity seen
+//   (5) of the solution exactly 0 where nothing but black backs and a dark sky is seen
 // REQUIRES the solution of a matrix of the scene of that granularity. Any number of threads may ask at once.
 class PointLights2 {
  public:
