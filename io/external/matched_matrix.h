@@ -18,7 +18,7 @@ namespace hottel {
 //   rows     n+1 | n | m+1 | m   all elements and the sky | all | those with a material and the sky | those alone
 //   columns  n+1 | n | m+1 | m   the same
 //
-// but no fewer columns than rows. Of a square size that has several meanings (size_meanings.h) the one in which A F is
+// but no fewer columns than rows. Of a square size that has several meanings the one in which A F is
 // the most symmetric is taken, and a note says so. Rows of the sky and of faces without a material are not used. Rows
 // and columns that the file does not have stay empty (WrittenFactors::has_row, has_column); nothing is completed,
 // rescaled or symmetrised. Notes say so.
