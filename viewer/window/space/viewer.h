@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -22,11 +23,16 @@
 #include "viewer/window/space/gathered_frame.h"
 #include "viewer/window/space/live_scene.h"
 #include "viewer/window/space/view_mode.h"
-#include "viewer/window/space/viewer_source.h"
 #include "viewer/window/watched_file.h"
 #include "viewer/window/window.h"
 
 namespace hottel {
+
+// Where the scene of a viewer comes from.
+struct ViewerSource3 {
+  std::filesystem::path file;
+  std::function<Scene3()> read;  // throws InputError
+};
 
 // The viewer of a scene in space: all that a window does, without a screen.
 //
