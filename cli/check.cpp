@@ -3,13 +3,15 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
 #include "cli/command.h"
 #include "cli/mesh_output.h"
-#include "cli/repaired_file.h"
 #include "cli/scene_input.h"
+#include "cli/streams.h"
+#include "io/files/output_file.h"
 #include "io/results/plane/check_report.h"
 #include "io/results/space/check_report.h"
 #include "io/scene/scene_json.h"
@@ -29,6 +31,39 @@ struct CheckCommandOptions {
   std::string scene, fix, within;
   PolygonOptions polygons;
   bool json = false;
+};
+
+// The file of a repaired scene: where it is that of the scene itself, written only if something was repaired, and told.
+class RepairedFile {
+ public:
+  // Opens it. Throws OutputError.
+  RepairedFile(const std::string& file, const std::filesystem::path& scene) : file_(file), out_(file) {
+    std::error_code missing;
+    is_input_ = std::filesystem::equivalent(file, scene, missing) && !missing;
+  }
+
+  // Holds the text until commit().
+  void write(std::string_view text, bool is_repaired) {
+    is_written_ = !is_input_ || is_repaired;
+    if (!is_written_) return;
+    out_.write(text);
+    out_.finish();
+  }
+
+  // Whether the scene stays as it is, where it would be overwritten by one that is not repaired.
+  bool is_left() const { return is_input_ && !is_written_; }
+
+  void commit(const Streams& streams) {
+    if (is_written_) out_.commit();
+    if (is_input_)
+      streams.note(file_ +
+                   (is_written_ ? " is overwritten by the repaired scene" : " is left as it is: nothing is repaired"));
+  }
+
+ private:
+  std::string file_;
+  OutputFile out_;
+  bool is_input_ = false, is_written_ = false;
 };
 
 // How far points may be moved; 0: not at all.
