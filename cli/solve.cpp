@@ -62,6 +62,13 @@ void require_sense(const SolveOptions& options) {
   output_folder(options.out, options.scene);
 }
 
+// Nothing ends on faces where no light is listed.
+void note_levels_without_lights(const SolveOptions& options, const ValidScene& scene, Streams& streams) {
+  const bool has_lights = std::visit([](const auto& its) { return !its->lights.empty(); }, scene);
+  if (options.levels.at_borders > 0 && !has_lights)
+    streams.note("--light-levels changes nothing: " + options.scene + " lists no lights");
+}
+
 ExitCode solve(const SolveOptions& options, Streams& streams) {
   require_sense(options);
   Stopwatch watch;
@@ -69,6 +76,7 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   const double seconds_to_read = watch.lap();
   require_light_in_watts(scene);
   note_unknown_unit(scene, streams);
+  note_levels_without_lights(options, scene, streams);
   if (auto* space = std::get_if<ValidScene3>(&scene))
     solve_in_space(options, std::move(*space), seconds_to_read, streams);
   else

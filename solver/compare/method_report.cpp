@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/exchange_matrix.h"
+#include "geometry/name.h"
 #include "kernel/plain_functions.h"
 
 namespace hottel {
@@ -20,9 +22,17 @@ double WrittenDigits::rounding(double value) const {
   return 0.5 * unit;
 }
 
-std::string method_sentence(const MethodInfo& info, Guarantee of, const MethodReport& report) {
-  return fmt::format("view factors by {}: {}, rows sum to 1 within {:.2g}", info.name, to_string(of),
-                     report.row_defect);
+std::string method_sentence(const MethodInfo& info, const ExchangeMatrix& matrix, const MethodReport& report) {
+  std::vector<std::string> missing;
+  if (report.written && !report.written->has_row.empty())
+    for (std::uint32_t i = 0; i < matrix.size(); ++i)
+      if (matrix.has_row(i) && report.written->has_row[i] == 0) missing.push_back(matrix.name(i));
+  std::string sentence = fmt::format("view factors by {}: {}, rows sum to 1 within {:.2g}", info.name,
+                                     to_string(matrix.guarantee()), report.row_defect);
+  if (!missing.empty())
+    sentence += fmt::format("; there {} of {}, taken to see nothing", missing.size() == 1 ? "is no row" : "are no rows",
+                            listed_names(missing));
+  return sentence;
 }
 
 }  // namespace hottel

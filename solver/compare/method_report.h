@@ -14,6 +14,8 @@
 
 namespace hottel {
 
+class ExchangeMatrix;
+
 // What a method says of itself before it has run.
 struct MethodInfo {
   std::string name;      // in full, variant and parameter included: "gauss:4:normalised"
@@ -64,8 +66,9 @@ struct MethodReport {
   std::vector<std::string> gaps;  // those of the notes that tell of columns a file has not, be there light or not
 };
 
-// What is said first of factors by a method that is not exact. of: what is guaranteed of them.
-std::string method_sentence(const MethodInfo& info, Guarantee of, const MethodReport& report);
+// What is said first of the factors of a method that is not exact: what is guaranteed of them, and of which elements
+// with a row a file has none.
+std::string method_sentence(const MethodInfo& info, const ExchangeMatrix& matrix, const MethodReport& report);
 
 // Seconds of wall-clock time.
 struct Timing {

@@ -50,6 +50,18 @@ TEST(External, ApproximateFactorsAreMarkedAsSuch) {
   EXPECT_THAT(place.run("hottel factors " + kBox + " --method nonsense").err, HasSubstr("file:PATH, run:CMD"));
 }
 
+// A list has no place for a row that it leaves out, so that nothing refuses it.
+TEST(External, ARowThatAListLeavesOutIsNamed) {
+  const Workplace place;
+  ASSERT_EQ(place.run("hottel factors " + kBox + " --quiet -o exact.csv").code, 0);
+  std::string without_floor;
+  for (const std::string& line : lines_of(place.read("exact.csv")))
+    if (!line.starts_with("floor,")) without_floor += line + "\n";
+  place.write("some.csv", without_floor);
+  EXPECT_THAT(place.run("hottel solve " + kBox + " --method file:some.csv -o solved").err,
+              HasSubstr("; there is no row of 'floor', taken to see nothing\n"));
+}
+
 // The average over elements, put together, is the factor of the face when the elements' factors are exact.
 TEST(External, ElementsArePutTogetherToFacesAndGroups) {
   const Workplace place;

@@ -465,6 +465,14 @@ TEST(Solve, RefusesWhatDoublesCannotTellAndNamesTheFile) {
   }
 }
 
+TEST(Solve, SaysThatNothingEndsOnFacesWithoutLights) {
+  const Workplace place;
+  place.write("scene.json", square("{}"));
+  const Outcome outcome = place.run("hottel solve scene.json -o out --no-illumination --light-levels 2");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("--light-levels changes nothing: scene.json lists no lights\n"));
+}
+
 TEST(Plan, EstimatesAreThoseOfTheMachineWhichIsMeasuredOnce) {
   const Workplace place;
   place.write("s.json", contents(std::string(HOTTEL_SOURCE_DIR) + "/scenes/analytic/furnace.json"));

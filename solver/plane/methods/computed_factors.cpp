@@ -22,7 +22,7 @@ ComputedFactors2 factors_by(const ExchangeMethod2& method, const PreparedScene2&
   }
   if (!is_exact)
     result.report.notes.insert(result.report.notes.begin(),
-                               method_sentence(info, result.matrix.guarantee(), result.report));
+                               method_sentence(info, result.matrix, result.report));
   return result;
 }
 

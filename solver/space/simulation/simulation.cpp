@@ -56,7 +56,7 @@ ComputedFactors3 factors_by(const ExchangeMethod3& method, const PreparedScene3&
   result.report.pairs = report.counts.pairs;
   result.report.max_defect = report.row_defect;
   result.report.seconds = report.counts.seconds;
-  result.notes = {method_sentence(method.info(), result.matrix.guarantee(), report)};
+  result.notes = {method_sentence(method.info(), result.matrix, report)};
   result.notes.insert(result.notes.end(), report.notes.begin(), report.notes.end());
   return result;
 }
