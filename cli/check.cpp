@@ -33,36 +33,49 @@ struct CheckCommandOptions {
   bool json = false;
 };
 
-// The file of a repaired scene: where it is that of the scene itself, written only if something was repaired, and told.
+// The file of a repaired scene, or its mesh: where it is that of the scene itself, written only if something was
+// repaired, and told.
 class RepairedFile {
  public:
-  // Opens it. Throws OutputError.
-  RepairedFile(const std::string& file, const std::filesystem::path& scene) : file_(file), out_(file) {
+  // Opens a scene file; the files of a mesh are opened when they are written. Throws OutputError.
+  RepairedFile(const std::string& file, const std::filesystem::path& scene) : file_(file), mesh_(mesh_format_3(file)) {
+    if (!mesh_) text_.emplace(file);
     std::error_code missing;
     is_input_ = std::filesystem::equivalent(file, scene, missing) && !missing;
   }
 
-  // Holds the text until commit().
-  void write(std::string_view text, bool is_repaired) {
-    is_written_ = !is_input_ || is_repaired;
-    if (!is_written_) return;
-    out_.write(text);
-    out_.finish();
+  // Writes a mesh, or holds the text of a scene file until commit().
+  void write(const std::string& text, const Scene2&, bool is_repaired, const Streams&) {
+    if (is_to_be_written(is_repaired)) hold(text);
+  }
+  void write(const std::string& text, const Scene3& scene, bool is_repaired, const Streams& streams) {
+    if (!is_to_be_written(is_repaired)) return;
+    if (mesh_)
+      write_mesh(file_, *mesh_, scene, streams);
+    else
+      hold(text);
   }
 
   // Whether the scene stays as it is, where it would be overwritten by one that is not repaired.
   bool is_left() const { return is_input_ && !is_written_; }
 
   void commit(const Streams& streams) {
-    if (is_written_) out_.commit();
+    if (is_written_ && text_) text_->commit();
     if (is_input_)
       streams.note(file_ +
                    (is_written_ ? " is overwritten by the repaired scene" : " is left as it is: nothing is repaired"));
   }
 
  private:
+  bool is_to_be_written(bool is_repaired) { return is_written_ = !is_input_ || is_repaired; }
+  void hold(const std::string& text) {
+    text_->write(text);
+    text_->finish();
+  }
+
   std::string file_;
-  OutputFile out_;
+  std::optional<MeshFormat3> mesh_;
+  std::optional<OutputFile> text_;  // of a scene file
   bool is_input_ = false, is_written_ = false;
 };
 
@@ -77,120 +90,93 @@ Rational distance_of(const CheckCommandOptions& options) {
   return *distance;
 }
 
+// ---- What each dimension does in its own way.
+
 std::shared_ptr<const SceneCheck2> look_at(const ValidScene2& scene, const Streams& streams) {
   return Simulation2(scene).check(streams.stages());
 }
+std::shared_ptr<const SceneCheck3> look_at(const ValidScene3& scene, const Streams& streams) {
+  return std::make_shared<const SceneCheck3>(scene_check(Simulation3(scene), streams.stages()));
+}
 
-ExitCode exit_code(const SceneCheck2& check) { return has_error(check.findings) ? ExitCode::kUnmet : ExitCode::kDone; }
+std::string text_of(const Scene2& scene) { return write_scene_2(scene); }
+std::string text_of(const Scene3& scene) { return write_scene_3(scene); }
+
+// A repaired scene as its text is read back. `before`: the scene that is repaired.
+ValidScene2 read_back(const std::string& text, const CheckCommandOptions& options, const Scene2&) {
+  return parse_scene_2(text, options.fix);
+}
+ValidScene3 read_back(const std::string& text, const CheckCommandOptions& options, const Scene3& before) {
+  Scene3 written = parse_scene_3(text, options.fix);
+  written.sources = before.sources;
+  if (mesh_format_3(options.fix))
+    for (Surface& surface : written.surfaces) surface.line = 0;  // of a scene file that nobody gets
+  return written;
+}
+
+template <class LookAtWritten>
+Repair2 repaired(const ValidScene2& scene, const Rational& distance, const SceneCheck2& before,
+                 const LookAtWritten& look_at_written, const Streams& streams) {
+  return repair_scene(*scene, distance, before,
+                      {[&](const Scene2& some) { return look_at(some, streams); }, look_at_written});
+}
+template <class LookAtWritten>
+Repair3 repaired(const ValidScene3& scene, const Rational& distance, const SceneCheck3& before,
+                 const LookAtWritten& look_at_written, const Streams&) {
+  return repair_scene(*scene, distance, before, [&](const Scene3& some) { return *look_at_written(some); });
+}
+
+// ---- What both do alike.
+
+template <class Check>
+ExitCode exit_code(const Check& check) {
+  return has_error(check.findings) ? ExitCode::kUnmet : ExitCode::kDone;
+}
 
 // Writes the repaired scene, and tells what was done and what is found in it.
-ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const ValidScene2& scene, Streams& streams) {
+template <class Valid>
+ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const Valid& scene, Streams& streams) {
   RepairedFile out(options.fix, options.scene);
   const auto before = look_at(scene, streams);
   std::string text;
-  ValidScene2 repaired;
-  std::shared_ptr<const SceneCheck2> after;
-  const auto look = [&](const Scene2& some) { return look_at(some, streams); };
-  const auto look_at_written = [&](const Scene2& some) {
-    text = with_file_context(options.scene, [&] { return write_scene_2(some); });
-    repaired = parse_scene_2(text, options.fix);
-    return after = look_at(repaired, streams);
+  Valid written;
+  auto after = before;
+  const auto look_at_written = [&](const auto& some) {
+    text = with_file_context(options.scene, [&] { return text_of(some); });
+    written = read_back(text, options, *scene);
+    return after = look_at(written, streams);
   };
-  const Repair2 repair = repair_scene(*scene, distance, *before, {look, look_at_written});
+  const auto repair = repaired(scene, distance, *before, look_at_written, streams);
 
   std::optional<std::vector<FactorChange>> changes;
   if (before->factors && after->factors)
     changes = factor_changes(*before->factors, *after->factors,
                              [&](const Element& element) { return former_name(repair, element); });
   const RepairReport report{&repair.steps, changes ? &*changes : nullptr};
-  out.write(text, is_anything_done(repair.steps));
-  const Scene2& told = out.is_left() ? *scene : *repaired;  // of the file that is there, its lines
-  const SceneCheck2& found = out.is_left() ? *before : *after;
+  with_file_context(options.scene, [&] { out.write(text, *written, is_anything_done(repair.steps), streams); });
+  const auto& told = out.is_left() ? *scene : *written;  // of the file that is there, its lines
+  const auto& found = out.is_left() ? *before : *after;
   streams.write("", options.json ? check_json(told, found.findings, &report)
                                  : repair_text(*scene, report) + check_text(told, found.findings));
   out.commit(streams);
   return exit_code(found);
 }
 
-ExitCode check_in_plane(const CheckCommandOptions& options, const Rational& distance, const ValidScene2& scene,
-                        Streams& streams) {
-  if (mesh_format_3(options.fix))
-    throw UsageError("a scene in the plane is repaired as a scene (.json), not as a mesh");
+template <class Valid>
+ExitCode check_scene(const CheckCommandOptions& options, const Rational& distance, const Valid& scene,
+                     Streams& streams) {
   if (!options.fix.empty()) return fix(options, distance, scene, streams);
   const auto check = look_at(scene, streams);
   streams.write("", options.json ? check_json(*scene, check->findings) : check_text(*scene, check->findings));
   return exit_code(*check);
 }
 
-SceneCheck3 look_at(const ValidScene3& scene, const Streams& streams) {
-  return scene_check(Simulation3(scene), streams.stages());
-}
-
-ExitCode exit_code(const SceneCheck3& check) { return has_error(check.findings) ? ExitCode::kUnmet : ExitCode::kDone; }
-
-// Where that is the file of the scene itself, only if something was repaired; told, as of a RepairedFile.
-void write_repaired(const std::string& out, MeshFormat3 format, const Scene3& scene, bool is_repaired,
-                    const std::string& input, const Streams& streams) {
-  std::error_code missing;
-  const bool is_input = std::filesystem::equivalent(out, input, missing) && !missing;
-  if (is_repaired || !is_input) write_mesh(out, format, scene, streams);
-  if (is_input)
-    streams.note(out +
-                 (is_repaired ? " is overwritten by the repaired scene" : " is left as it is: nothing is repaired"));
-}
-
-// Tells what is found in a scene in space, on standard output. `fix`: where a repaired scene is written, empty:
-// nowhere; then what was done is told, and what is found in that. Where it is the `file` of the scene and nothing was
-// done, nothing is written; that, or that it was overwritten, is told. `distance`: how far points may be moved, 0: not
-// at all.
-ExitCode check_in_space(const ValidScene3& scene, const std::string& file, const std::string& fix,
-                        const Rational& distance, bool as_json, const Streams& streams) {
-  if (fix.empty()) {
-    const SceneCheck3 check = look_at(scene, streams);
-    streams.write("", as_json ? check_json(*scene, check.findings) : check_text(*scene, check.findings));
-    return exit_code(check);
-  }
-  const auto mesh = mesh_format_3(fix);
-  std::optional<RepairedFile> out;
-  if (!mesh) out.emplace(fix, file);
-  const SceneCheck3 before = look_at(scene, streams);
-  std::string text;
-  ValidScene3 repaired;
-  SceneCheck3 after;
-  const Repair3 repair = repair_scene(*scene, distance, before, [&](const Scene3& some) {
-    text = with_file_context(scene->file, [&] { return write_scene_3(some); });
-    Scene3 written = parse_scene_3(text, fix);
-    written.sources = scene->sources;
-    if (mesh)
-      for (Surface& surface : written.surfaces) surface.line = 0;  // of a scene file that nobody gets
-    repaired = std::move(written);
-    return after = look_at(repaired, streams);
-  });
-
-  std::optional<std::vector<FactorChange>> changes;
-  if (before.factors && after.factors)
-    changes = factor_changes(*before.factors, *after.factors,
-                             [&](const Element& element) { return former_name(repair, element); });
-  const RepairReport report{&repair.steps, changes ? &*changes : nullptr};
-  if (out) out->write(text, is_anything_done(repair.steps));
-  if (mesh)
-    with_file_context(file,
-                      [&] { write_repaired(fix, *mesh, *repaired, is_anything_done(repair.steps), file, streams); });
-  const bool is_left = out && out->is_left();
-  const Scene3& told = is_left ? *scene : *repaired;  // of the file that is there, its lines
-  const SceneCheck3& found = is_left ? before : after;
-  streams.write("", as_json ? check_json(told, found.findings, &report)
-                            : repair_text(*scene, report) + check_text(told, found.findings));
-  if (out) out->commit(streams);
-  return exit_code(found);
-}
-
 ExitCode check(const CheckCommandOptions& options, Streams& streams) {
   const Rational distance = distance_of(options);
   const ValidScene scene = read_scene_noting(options.scene, options.polygons, streams);
-  if (const auto* in_space = std::get_if<ValidScene3>(&scene))
-    return check_in_space(*in_space, options.scene, options.fix, distance, options.json, streams);
-  return check_in_plane(options, distance, std::get<ValidScene2>(scene), streams);
+  if (std::holds_alternative<ValidScene2>(scene) && mesh_format_3(options.fix))
+    throw UsageError("a scene in the plane is repaired as a scene (.json), not as a mesh");
+  return std::visit([&](const auto& its) { return check_scene(options, distance, its, streams); }, scene);
 }
 
 }  // namespace

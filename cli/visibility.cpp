@@ -1,44 +1,35 @@
 // hottel visibility: what points see, what a point of a face receives, what two faces see of each other, what some
 // point of a face sees, the lines along which it changes, and which vertices see each other.
 
-#include <algorithm>
-#include <functional>
+#include <memory>
 #include <optional>
-#include <span>
+#include <string>
+#include <utility>
+#include <variant>
 
 #include "cli/command.h"
 #include "cli/guarantee_option.h"
 #include "cli/oriented_points.h"
+#include "cli/points_in_plane.h"
 #include "cli/points_in_space.h"
 #include "cli/scene_input.h"
 #include "cli/scene_lines.h"
 #include "cli/sights_in_space.h"
 #include "cli/unit_notes.h"
+#include "cli/visibility_in_plane.h"
 #include "cli/visibility_in_space.h"
 #include "geometry/plane/check/face_cover.h"
-#include "geometry/plane/exchange/closed_forms.h"
-#include "geometry/plane/visibility/critical_points.h"
-#include "geometry/plane/visibility/point_view.h"
-#include "geometry/plane/visibility/visibility_polygons.h"
 #include "geometry/plane/visibility/weak_visibility.h"
+#include "geometry/scene_names.h"
 #include "io/external/oriented_points.h"
-#include "io/external/plane/point_list.h"
 #include "io/external/space/point_list.h"
 #include "io/files/text_file.h"
 #include "io/results/plane/edge_report.h"
-#include "io/results/plane/polygon_files.h"
-#include "io/results/plane/visibility_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/counted.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/parallel.h"
-#include "kernel/support/with_file_context.h"
-#include "solver/plane/light/point_lights.h"
-#include "solver/plane/simulation/queries.h"
 #include "solver/plane/simulation/simulation.h"
 #include "solver/space/simulation/simulation.h"
-#include "viewer/picture/plane/drawable.h"
-#include "viewer/picture/plane/visibility_picture.h"
 
 namespace hottel {
 namespace {
@@ -53,67 +44,9 @@ struct VisibilityOptions {
   bool is_pair() const { return !from.empty() || !to.empty(); }
 };
 
-Point2 point(const std::string& text) {
-  const std::vector<std::string> parts = parts_at_commas(text);
-  if (parts.size() != 2)
-    throw UsageError("--at takes X,Y in a plane scene (and a number t in [0,1] with --on), not '" + text + "'");
-  return {number_of(parts[0], "--at"), number_of(parts[1], "--at")};
-}
-
 // Whole faces: nothing here is asked of their elements.
 Simulation2 simulation_of(ValidScene2 scene) {
   return Simulation2(std::move(scene), {.granularity = Granularity::kFace});
-}
-
-// Light at one point is that of the whole scene, solved.
-PointLight2 light_unless_left_out(const VisibilityOptions& options, const Simulation2& simulation,
-                                  const VisibilityPolygon2& polygon, const Streams& streams) {
-  if (options.no_irradiance) return {{}, {}, "--no-irradiance leaves it out"};
-  return light_at(simulation, polygon, streams.stages());
-}
-
-ShownAnswer from_point(const VisibilityOptions& options, const Simulation2& simulation, const PreparedScene2& prepared,
-                       const Point2& eye, const Streams& streams) {
-  const PointView2 sight = point_view(prepared, eye);
-  std::optional<PointLight2> light;
-  if (sight.polygon.solid == Solids2::kNone) light = light_unless_left_out(options, simulation, sight.polygon, streams);
-  return {point_answer(prepared, sight, light), [&prepared, polygon = sight.polygon](PictureFormat format) {
-            return visibility_picture_2(prepared, drawing_of(polygon), format);
-          }};
-}
-
-ShownAnswer from_face(const PreparedScene2& prepared, const std::string& name, const Rational& t) {
-  if (t < 0 || t > 1) throw UsageError("--at is a position on the edge, between 0 and 1, not " + to_string(t));
-  if (name == "sky") throw UsageError("--on is a face, which the sky is not");
-  const Face face = face_of(prepared.scene, name);
-  require_free_at(prepared, face, t);
-  return {face_point_answer(prepared, name, face, t, point_factors_by_face(prepared, face, t)),
-          [&prepared, face, t](PictureFormat format) {
-            const Point2 eye = point_at(prepared.scene.edges[face.surface], t);
-            return visibility_picture_2(prepared, drawing_of(point_view(prepared, eye).polygon), format);
-          }};
-}
-
-// A face of --from or --to by name; nothing for the sky.
-std::optional<Face> face_or_sky(const Scene2& scene, const std::string& name) {
-  if (name == "sky") return std::nullopt;
-  return face_of(scene, name);
-}
-
-ShownAnswer between_faces(const PreparedScene2& prepared, const std::string& from, const std::string& to) {
-  PairSight2 sight{
-      from, to, face_or_sky(prepared.scene, from), face_or_sky(prepared.scene, to), {}, {}, prepared.scene.unit};
-  for (const auto& face : {sight.face_from, sight.face_to})
-    if (face) require_free(prepared, *face);
-  sight.pair = exact_pair(prepared, sight.face_from, sight.face_to);
-  if (const auto& a = sight.face_from) {
-    const auto& b = sight.face_to;
-    sight.critical = critical_points(prepared.arrangement, prepared.scene, *a, b);
-  }
-  VisibilityAnswer answer = pair_answer(sight);
-  return {std::move(answer), [&prepared, drawing = drawing_of(sight)](PictureFormat format) {
-            return pair_picture_2(prepared, drawing, format);
-          }};
 }
 
 // What CLI11 does not see.
@@ -129,100 +62,6 @@ void require_sense(const VisibilityOptions& options) {
 }
 
 bool is_file(const std::string& out) { return !out.empty() && out != "-"; }
-
-// ---- many points
-
-// What --points asks for, and where it goes.
-struct PolygonRequest {
-  std::vector<Point2> points;
-  PolygonFormat2 format = PolygonFormat2::kCsv;
-  PolygonsOptions2 wanted;
-  PassedOver passed_over;
-};
-
-PolygonRequest polygon_request(const VisibilityOptions& options, const std::string& text, const std::string& name) {
-  PolygonRequest request;
-  if (is_file(options.out)) {
-    const auto format = polygon_format_2(options.out);
-    if (!format) throw UsageError("polygons are written as .csv, .geojson, .wkt or .npz, not '" + options.out + "'");
-    request.format = *format;
-  }
-  const bool is_wkt = request.format == PolygonFormat2::kWkt, is_npz = request.format == PolygonFormat2::kNpz;
-  if (options.exact && (is_wkt || is_npz)) throw UsageError("--exact writes p/q, which .csv and .geojson can hold");
-  if (options.irradiance && is_wkt) throw UsageError("--irradiance has no place in .wkt");
-  request.wanted.wants_exact = options.exact;
-  request.wanted.fronts_only = options.side == "front";
-  if (!options.range.empty()) {
-    request.wanted.range = number_of(options.range, "--range");
-    if (*request.wanted.range <= 0) throw UsageError("--range is a distance above 0, not " + options.range);
-  }
-  request.points = read_points_2(text, name, &request.passed_over);
-  return request;
-}
-
-// What is to be said of polygons that are none.
-class PolygonRemarks {
- public:
-  void see(std::size_t first, std::span<const RoundedPolygon2> polygons) {
-    for (std::size_t k = 0; k < polygons.size(); ++k) {
-      const bool is_in_solid = polygons[k].solid != Solids2::kNone;
-      if (is_in_solid && in_solids_++ == 0) first_in_solid_ = {first + k, polygons[k].solid};
-      const bool is_open = !is_in_solid && (polygons[k].corners.empty() || polygons[k].sees_sky());
-      if (is_open && open_++ == 0) first_open_ = first + k;
-    }
-  }
-  std::string text(const Scene2& scene) const {
-    std::string result;
-    if (in_solids_ > 0)
-      result += "points in solids, which see nothing: " + std::to_string(in_solids_) + ", the first is point " +
-                std::to_string(first_in_solid_.first) + ", in " + solid_text(scene, first_in_solid_.second) + "\n";
-    if (open_ > 0)
-      result += "points that see the sky: " + std::to_string(open_) + ", the first is point " +
-                std::to_string(first_open_) + "; what they see is unbounded, --range R bounds it\n";
-    return result;
-  }
-
- private:
-  std::size_t in_solids_ = 0, open_ = 0, first_open_ = 0;
-  std::pair<std::size_t, std::uint32_t> first_in_solid_{0, 0};
-};
-
-// The scene is solved once, and only where light is asked for.
-std::vector<std::vector<double>> lights_at(const PointLights2& lights, const PointLocation2& location,
-                                           std::span<const Point2> points) {
-  std::vector<std::vector<double>> result(points.size());
-  parallel_for(
-      points.size(), [&](std::size_t k) { result[k] = lights.at(location, points[k]); }, 16);
-  return result;
-}
-
-void write_polygons(const PolygonRequest& request, const PreparedScene2& prepared, const PointLights2* lights,
-                    Streams& streams, OutputFile& file) {
-  const VisibilityPolygons2 polygons(prepared.arrangement);
-  const auto progress = streams.progress("visibility polygons");
-  const PolygonFileOptions2 told{request.wanted.wants_exact, request.wanted.range,
-                                 lights ? lights->channel_names() : std::vector<std::string>()};
-  const auto writer =
-      polygon_writer_2(request.format, prepared, told, [&](std::string_view text) { file.write(text); });
-  PolygonRemarks remarks;
-  constexpr std::size_t kBatch = 1024;  // what is held at a time
-  const std::span<const Point2> all(request.points);
-  for (std::size_t first = 0; first < all.size(); first += kBatch) {
-    const auto points = all.subspan(first, std::min(kBatch, all.size() - first));
-    PolygonsOptions2 wanted = request.wanted;
-    wanted.progress = [&](double fraction) {
-      progress((static_cast<double>(first) + fraction * static_cast<double>(points.size())) /
-               static_cast<double>(all.size()));
-    };
-    const auto found = polygons.all(points, wanted);
-    std::vector<std::vector<double>> irradiance;
-    if (lights) irradiance = lights_at(*lights, polygons.location(), points);
-    writer->add({points, found, irradiance});
-    remarks.see(first, found);
-  }
-  writer->finish();
-  streams.note(remarks.text(prepared.scene));
-}
 
 // Points with normals: the light on a small area at each, in place of what it sees.
 ExitCode light_at_points(const VisibilityOptions& options, OrientedPointsInput input, Streams& streams) {
@@ -263,19 +102,18 @@ ExitCode from_points(const VisibilityOptions& options, Streams& streams) {
   if (options.polygons.triangulates)
     throw UsageError("--triangulate cuts polygons in space; points without normals are for the plane");
   if (options.pieces) throw UsageError("--pieces are for what points in space see; these are in the plane");
-  const PolygonRequest request = polygon_request(options, text, name);
+  const PolygonRequest2 request = polygon_request({.text = text,
+                                                   .name = name,
+                                                   .out = options.out,
+                                                   .range = options.range,
+                                                   .is_exact = options.exact,
+                                                   .has_light = options.irradiance,
+                                                   .fronts_only = options.side == "front"});
   note_passed_over(request.passed_over, streams);
   ValidScene scene = read_scene_noting(options.scene, options.polygons, streams);
   if (std::holds_alternative<ValidScene3>(scene))
     throw InputError({name, 0}, "points have two coordinates, and " + options.scene + " is in space: give x,y,z");
-  const Simulation2 simulation = simulation_of(std::get<ValidScene2>(std::move(scene)));
-  const auto prepared = simulation.prepared(streams.stages());
-  std::optional<PointLights2> lights;
-  if (options.irradiance) lights.emplace(point_lights(simulation, streams.stages()));
-  streams.write_with(options.out, [&](OutputFile& file) {
-    with_file_context(options.scene,
-                      [&] { write_polygons(request, *prepared, lights ? &*lights : nullptr, streams, file); });
-  });
+  write_polygons(request, simulation_of(std::get<ValidScene2>(std::move(scene))), streams);
   return ExitCode::kDone;
 }
 
@@ -408,18 +246,14 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
   if (auto* const there = std::get_if<ValidScene3>(&scene))
     return in_space(options, std::move(*there), format, streams);
   options.guarantee.refuse_in_plane();
-  const std::optional<Point2> eye =
-      options.is_pair() || !options.on.empty() ? std::nullopt : std::optional(point(options.at));
-  const Rational t = options.on.empty() ? Rational(0) : number_of(options.at, "--at with --on");
-
   const Simulation2 simulation = simulation_of(std::get<ValidScene2>(std::move(scene)));
-  const auto made = simulation.prepared(streams.stages());
-  const PreparedScene2& prepared = *made;
-  if (format) require_drawable(prepared.scene);
-  if (format && eye) require_drawable(prepared.scene, *eye, options.at);
-  return show(options.is_pair()     ? between_faces(prepared, options.from, options.to)
-              : !options.on.empty() ? from_face(prepared, options.on, t)
-                                    : from_point(options, simulation, prepared, *eye, streams),
+  return show(visibility_in_plane({.at = options.at,
+                                   .on = options.on,
+                                   .from = options.from,
+                                   .to = options.to,
+                                   .has_no_irradiance = options.no_irradiance,
+                                   .is_drawn = format.has_value()},
+                                  simulation, streams),
               options, format, streams);
 }
 

@@ -1,22 +1,14 @@
 // hottel visibility in space: what a point sees, and a point of a face, and two faces of each other.
 #pragma once
 
-#include <functional>
 #include <string>
 
-#include "io/results/visibility_answer.h"
-#include "viewer/picture/picture_options.h"
+#include "cli/shown_answer.h"
 
 namespace hottel {
 
 class Simulation3;
 struct Scene3;
-
-// What is answered, and a drawing of it on demand: the bytes of a picture file.
-struct ShownAnswer {
-  VisibilityAnswer answer;
-  std::function<std::string(PictureFormat)> draw;
-};
 
 // Answers --at X,Y,Z, or --on NAME --at X,Y,Z, where the point lies on the face, or --on NAME --at S,T in the frame of
 // its first point and its two sides there; `on` is empty where it was not given. Throws UsageError for what makes no
