@@ -16,7 +16,7 @@
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
-#include "kernel/support/stage.h"
+#include "kernel/support/stage_node.h"
 #include "kernel/support/stopwatch.h"
 #include "kernel/support/with_file_context.h"
 #include "solver/dividing/dividing_estimate.h"
@@ -35,67 +35,13 @@
 #include "solver/radiosity/radiosity_sources.h"
 #include "solver/radiosity/scene_radiosities.h"
 #include "solver/refinement.h"
+#include "solver/stage_inputs.h"
 
 namespace hottel {
 namespace {
 
-template <class T>
-using StagePtr = std::shared_ptr<Stage<T>>;
 using MethodPtr = std::shared_ptr<const ExchangeMethod2>;
 using ScenePtr = std::shared_ptr<const Scene2>;
-
-// A stage, and the input that it was made for.
-template <class Input, class T>
-struct Node {
-  Input input;
-  StagePtr<T> stage;
-};
-
-// The node of an input: that of the version before where its input was the same, else a new one. make(input, progress)
-// makes the value.
-template <class Input, class Make>
-auto node_of(const char* name, Input input, const auto* before, Make make) {
-  using T = decltype(make(std::declval<const Input&>(), std::declval<const StageProgress&>()));
-  if (before != nullptr && before->input == input) return *before;
-  auto stage =
-      std::make_shared<Stage<T>>(name, [input, make](const StageProgress& progress) { return make(input, progress); });
-  return Node<Input, T>{std::move(input), std::move(stage)};
-}
-
-// Spectra that say the same and were given alike: whether one is a scalar decides how many channels there are.
-bool is_same(const Spectrum& a, const Spectrum& b) { return a == b && a.is_scalar == b.is_scalar; }
-
-struct Spectra {
-  std::vector<Spectrum> values;
-  friend bool operator==(const Spectra& a, const Spectra& b) { return std::ranges::equal(a.values, b.values, is_same); }
-};
-
-Spectra powers_of(const Scene2& scene) {
-  Spectra spectra;
-  for (const Light& light : scene.lights) spectra.values.push_back(light.power);
-  return spectra;
-}
-
-// The lights but for their power, and where in the file they stand.
-std::vector<Light> beams_of(std::vector<Light> lights) {
-  for (Light& light : lights) {
-    light.power = {};
-    light.line = 0;
-  }
-  return lights;
-}
-
-Spectra emissions_of(const Scene2& scene) {
-  Spectra spectra;
-  for (const Material& material : scene.materials) {
-    spectra.values.push_back(material.emission);
-    if (material.has_given_flux()) spectra.values.push_back(material.surface_reflectivity());
-    if (material.has_bands)
-      spectra.values.push_back(Spectrum::scalar((material.keeps_gains() ? 2 : 0) + (material.says_solar ? 1 : 0)));
-  }
-  spectra.values.push_back(scene.sky_emission);
-  return spectra;
-}
 
 // For each material the first that acts as it does.
 std::vector<std::size_t> first_alike(const std::vector<Material>& materials) {
@@ -418,22 +364,22 @@ struct Simulation2::Version {
   Grid2 grid;
   Granularity granularity = Granularity::kFace;
 
-  Node<PlanInput, Plan> plan;
-  Node<ArrangementInput, PreparedScene2> undivided;
-  Node<DivisionInput, PreparedScene2> cut;  // where some surface is divided
-  Arranged divided;                         // the undivided one where none is
+  StageNode<PlanInput, Plan> plan;
+  StageNode<ArrangementInput, PreparedScene2> undivided;
+  StageNode<DivisionInput, PreparedScene2> cut;  // where some surface is divided
+  Arranged divided;                              // the undivided one where none is
   // With this scene: as rows are asked for, undivided, and divided.
-  Node<PreparedInput, PreparedScene2> prepared, whole, parted;
-  Node<FactorsInput, ComputedFactors2> factors, exact_factors;
-  Node<SystemInput, RadiositySolver> system;
-  Node<LightSharesInput, std::vector<LightShares>> shares, exact_shares;  // of factors, of exact_factors
-  Node<RadiositiesInput, RadiositySolution> radiosities;
-  Node<DividingInput, DividingEstimate> dividing;
-  Node<RowsInput, LightRows2> rows;
-  Node<LightInput, SolvedLight2> light;
-  Node<PictureInput, LightPicture2> picture;
-  Node<LostLightInput, Findings2> lost_light;
-  Node<CheckInput, SceneCheck2> check;
+  StageNode<PreparedInput, PreparedScene2> prepared, whole, parted;
+  StageNode<FactorsInput, ComputedFactors2> factors, exact_factors;
+  StageNode<SystemInput, RadiositySolver> system;
+  StageNode<LightSharesInput, std::vector<LightShares>> shares, exact_shares;  // of factors, of exact_factors
+  StageNode<RadiositiesInput, RadiositySolution> radiosities;
+  StageNode<DividingInput, DividingEstimate> dividing;
+  StageNode<RowsInput, LightRows2> rows;
+  StageNode<LightInput, SolvedLight2> light;
+  StageNode<PictureInput, LightPicture2> picture;
+  StageNode<LostLightInput, Findings2> lost_light;
+  StageNode<CheckInput, SceneCheck2> check;
 
   Version(ScenePtr its_scene, SimulationRequest2 its_request, const Version* before);
 
@@ -448,15 +394,9 @@ struct Simulation2::Version {
 
 namespace {
 
-// A member of the version before, where there is one.
-template <class Version, class Member>
-const Member* old(const Version* before, Member Version::*member) {
-  return before != nullptr ? &(before->*member) : nullptr;
-}
-
 // An arrangement with the scene of a version: itself where it was made for that scene.
-Node<PreparedInput, PreparedScene2> with_values(const Arranged& arrangement, const ScenePtr& scene,
-                                                const Node<PreparedInput, PreparedScene2>* before) {
+StageNode<PreparedInput, PreparedScene2> with_values(const Arranged& arrangement, const ScenePtr& scene,
+                                                     const StageNode<PreparedInput, PreparedScene2>* before) {
   const PreparedInput input{arrangement.stage, scene};
   if (arrangement.scene == scene) return {input, arrangement.stage};
   return node_of("arrangement", input, before, make_prepared);
@@ -473,7 +413,7 @@ Simulation2::Version::Version(ScenePtr its_scene, SimulationRequest2 its_request
   granularity = request.granularity.value_or(is_divided(*scene) || request.everything ? Granularity::kElement
                                                                                       : Granularity::kFace);
   set_arrangements(before);
-  plan = node_of("plan", PlanInput{parted.stage, plan_request()}, old(before, &Version::plan),
+  plan = node_of("plan", PlanInput{parted.stage, plan_request()}, member_of(before, &Version::plan),
                  [](const PlanInput& input, const StageProgress& progress) {
                    return plan_scene(*input.prepared->get(progress), input.request);
                  });
@@ -496,16 +436,16 @@ PlanRequest Simulation2::Version::plan_request() const {
 }
 
 void Simulation2::Version::set_arrangements(const Version* before) {
-  undivided = node_of("arrangement", ArrangementInput{scene}, old(before, &Version::undivided), make_arrangement);
+  undivided = node_of("arrangement", ArrangementInput{scene}, member_of(before, &Version::undivided), make_arrangement);
   const Arranged whole_surfaces{undivided.stage, undivided.input.scene};
   divided = whole_surfaces;
   if (is_divided(*scene)) {
-    cut = node_of("arrangement", DivisionInput{undivided.stage, scene}, old(before, &Version::cut), make_divided);
+    cut = node_of("arrangement", DivisionInput{undivided.stage, scene}, member_of(before, &Version::cut), make_divided);
     divided = {cut.stage, cut.input.scene};
   }
-  prepared = with_values(arrangement(), scene, old(before, &Version::prepared));
-  whole = with_values(whole_surfaces, scene, old(before, &Version::whole));
-  parted = with_values(divided, scene, old(before, &Version::parted));
+  prepared = with_values(arrangement(), scene, member_of(before, &Version::prepared));
+  whole = with_values(whole_surfaces, scene, member_of(before, &Version::whole));
+  parted = with_values(divided, scene, member_of(before, &Version::parted));
 }
 
 Arranged Simulation2::Version::arrangement() const {
@@ -531,23 +471,25 @@ void Simulation2::Version::set_factors(const Version* before) {
                            .granularity = is_divided(*scene) ? Granularity::kElement : Granularity::kFace,
                            .memory = request.memory,
                            .store = request.store};
-  factors = node_of("view factors", wanted, old(before, &Version::factors), make_factors);
-  exact_factors =
-      exact == wanted ? factors : node_of("view factors", exact, old(before, &Version::exact_factors), make_factors);
+  factors = node_of("view factors", wanted, member_of(before, &Version::factors), make_factors);
+  exact_factors = exact == wanted
+                      ? factors
+                      : node_of("view factors", exact, member_of(before, &Version::exact_factors), make_factors);
 }
 
 void Simulation2::Version::set_light(const Version* before) {
   system = node_of("radiosity",
                    SystemInput{factors.stage, factors.input.rows, Spectra{reflectivities_of(scene->materials)},
                                request.solver, request.iterations, request.until, scene->file},
-                   old(before, &Version::system), make_system);
+                   member_of(before, &Version::system), make_system);
   const auto shares_of = [&](const auto& arranged, const auto& with_scene, Granularity of, LightTest by) {
     return LightSharesInput{arranged.stage, with_scene.stage, of, beams_of(scene->lights), scene->light_places, by};
   };
   const LightSharesInput wanted = shares_of(arrangement(), prepared, granularity, request.lights);
   const LightSharesInput exact = shares_of(divided, parted, exact_factors.input.granularity, LightTest::kExact);
-  shares = node_of("lights", wanted, old(before, &Version::shares), make_shares);
-  exact_shares = exact == wanted ? shares : node_of("lights", exact, old(before, &Version::exact_shares), make_shares);
+  shares = node_of("lights", wanted, member_of(before, &Version::shares), make_shares);
+  exact_shares =
+      exact == wanted ? shares : node_of("lights", exact, member_of(before, &Version::exact_shares), make_shares);
   const RadiositiesInput to_solve{.system = system.stage,
                                   .factors = factors.stage,
                                   .method = factors.input.method,
@@ -558,30 +500,30 @@ void Simulation2::Version::set_light(const Version* before) {
                                   .closed = scene->closed,
                                   .divided = divided.stage,
                                   .memory = request.memory};
-  radiosities = node_of("radiosity", to_solve, old(before, &Version::radiosities), make_radiosities);
+  radiosities = node_of("radiosity", to_solve, member_of(before, &Version::radiosities), make_radiosities);
   dividing = node_of("dividing",
                      DividingInput{radiosities.stage, factors.stage, factors.input.method, whole.stage, to_solve.shares,
                                    request.lights, request.memory},
-                     old(before, &Version::dividing), make_dividing);
+                     member_of(before, &Version::dividing), make_dividing);
   rows = node_of("illumination", RowsInput{arrangement().stage, granularity, grid, request.memory},
-                 old(before, &Version::rows), make_rows);
+                 member_of(before, &Version::rows), make_rows);
   const bool takes_rows = request.keeps_rows && request.light == LightKind2::kPoint;
   light = node_of("illumination",
                   LightInput{radiosities.stage, prepared.stage, granularity, grid, request.light,
                              takes_rows ? rows.stage : nullptr},
-                  old(before, &Version::light), make_light);
+                  member_of(before, &Version::light), make_light);
   picture = node_of("picture", PictureInput{light.stage, prepared.stage, request.painter},
-                    old(before, &Version::picture), make_picture);
+                    member_of(before, &Version::picture), make_picture);
 }
 
 void Simulation2::Version::set_findings(const Version* before) {
-  lost_light = node_of("check", LostLightInput{prepared.stage, factors.stage}, old(before, &Version::lost_light),
+  lost_light = node_of("check", LostLightInput{prepared.stage, factors.stage}, member_of(before, &Version::lost_light),
                        [](const LostLightInput& input, const StageProgress& progress) {
                          const auto scene_there = input.prepared->get(progress);
                          return lost_light_warnings(*scene_there, input.factors->get(progress)->matrix);
                        });
   check = node_of("check", CheckInput{scene, whole.stage, exact_factors.stage, exact_shares.stage},
-                  old(before, &Version::check), make_check);
+                  member_of(before, &Version::check), make_check);
 }
 
 Simulation2::Simulation2(ValidScene2 scene, SimulationRequest2 request)

@@ -14,7 +14,7 @@
 #include "geometry/unmeasured_pairs.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
-#include "kernel/support/stage.h"
+#include "kernel/support/stage_node.h"
 #include "kernel/support/stopwatch.h"
 #include "kernel/support/with_file_context.h"
 #include "solver/dividing/dividing_estimate.h"
@@ -29,12 +29,11 @@
 #include "solver/space/scene_memory.h"
 #include "solver/space/scene_plan.h"
 #include "solver/space/simulation/cached_factors.h"
+#include "solver/stage_inputs.h"
 
 namespace hottel {
 namespace {
 
-template <class T>
-using StagePtr = std::shared_ptr<Stage<T>>;
 using ScenePtr = std::shared_ptr<const Scene3>;
 
 // What an approximate method makes of a scene.
@@ -71,8 +70,8 @@ ExchangeRequest request_of_cells(const FactorsRequest3& asked, const std::functi
           .progress = progress};
 }
 
-ComputedFactors3 make_factors(const PreparedScene3& prepared, const FactorsRequest3& request,
-                              const StageProgress& progress) {
+ComputedFactors3 computed_factors(const PreparedScene3& prepared, const FactorsRequest3& request,
+                                  const StageProgress& progress) {
   const bool tells_elements_apart = request.method && request.method->works_by_elements();
   require_memory(prepared.scene, {.granularity = tells_elements_apart ? Granularity::kElement : request.granularity},
                  request.memory);
@@ -119,23 +118,16 @@ ComputedFactors3 make_factors(const PreparedScene3& prepared, const FactorsReque
   });
 }
 
-StagePtr<PreparedScene3> prepared_stage(const ScenePtr& scene) {
-  return std::make_shared<Stage<PreparedScene3>>("preparation",
-                                                 [scene](const StageProgress&) { return prepare(*scene); });
-}
-
-// The same arrangement under a scene with other materials.
-StagePtr<PreparedScene3> prepared_stage(const ScenePtr& scene, const StagePtr<PreparedScene3>& before) {
-  return std::make_shared<Stage<PreparedScene3>>(
-      "preparation", [scene, before](const StageProgress& progress) { return before->get(progress)->under(*scene); });
-}
-
-// All of a scene that its arrangement, and factors, come from but for its materials.
+// All of a scene that its arrangement comes from but for its materials.
 bool is_same_shape(const Scene3& a, const Scene3& b) {
   return a.file == b.file && a.unit == b.unit && a.polygons == b.polygons && a.masks == b.masks &&
          a.groups == b.groups && a.bases == b.bases &&
          std::ranges::equal(a.surfaces, b.surfaces, &Surface::is_alike_undivided) &&
          std::ranges::equal(a.materials, b.materials, {}, &Material::name, &Material::name);
+}
+
+bool is_divided_alike(const Scene3& a, const Scene3& b) {
+  return std::ranges::equal(a.surfaces, b.surfaces, &Surface::is_divided_alike);
 }
 
 // Whether polygons, and what patches lie on, are the same.
@@ -147,19 +139,230 @@ bool has_places_of(const Scene3& a, const Scene3& b) {
          std::ranges::equal(a.surfaces, b.surfaces, is_alike);
 }
 
-// Whether each light shines on the same: their shares are the same then.
+// Whether lights are called and shine alike but for their power: their shares, and what is said of them, are the same.
 bool are_lit_alike(const Scene3& a, const Scene3& b) {
-  if (a.lights.size() != b.lights.size()) return false;
+  if (beams_of(a.lights) != beams_of(b.lights)) return false;
   for (std::size_t k = 0; k < a.lights.size(); ++k)
     if (!is_lit_alike_3(a.lights[k], a.light_places[k], b.lights[k], b.light_places[k])) return false;
   return true;
 }
 
-StagePtr<Plan> plan_stage(const StagePtr<PreparedScene3>& prepared, const SimulationRequest3& request) {
-  return std::make_shared<Stage<Plan>>(
-      "plan", [prepared, plan = request.plan, sky = request.factors.sky](const StageProgress& progress) {
-        return plan_scene(*prepared->get(progress), plan, sky);
-      });
+struct ArrangementInput {
+  ScenePtr scene;
+  friend bool operator==(const ArrangementInput& a, const ArrangementInput& b) {
+    return a.scene == b.scene ||
+           (is_same_shape(*a.scene, *b.scene) && are_alike_as_before_3(a.scene->materials, b.scene->materials));
+  }
+};
+
+PreparedScene3 make_arrangement(const ArrangementInput& input, const StageProgress&) { return prepare(*input.scene); }
+
+// The scene of a version, with an arrangement that was made for another.
+struct PreparedInput {
+  StagePtr<PreparedScene3> arrangement;
+  ScenePtr scene;
+  friend bool operator==(const PreparedInput&, const PreparedInput&) = default;
+};
+
+PreparedScene3 make_prepared(const PreparedInput& input, const StageProgress& progress) {
+  return input.arrangement->get(progress)->under(*input.scene);
+}
+
+struct PlanInput {
+  StagePtr<PreparedScene3> prepared;
+  PlanRequest request;
+  SkyBy sky = SkyBy::kIntegral;
+  friend bool operator==(const PlanInput&, const PlanInput&) = default;
+};
+
+Plan make_plan(const PlanInput& input, const StageProgress& progress) {
+  return plan_scene(*input.prepared->get(progress), input.request, input.sky);
+}
+
+struct FactorsInput {
+  StagePtr<PreparedScene3> arrangement;
+  ScenePtr scene;  // compared in how its surfaces are divided
+  StagePtr<PreparedScene3>
+      prepared;  // of the version that it is made for; not compared: what matters of it is arranged
+  FactorsRequest3 request;
+  // Of a scene of the same shape and division, in which other materials act alike; not compared. This scene is refused,
+  // or arranged as that one.
+  StagePtr<ComputedFactors3> measured;
+  friend bool operator==(const FactorsInput& a, const FactorsInput& b) {
+    return a.arrangement == b.arrangement && a.request == b.request && is_divided_alike(*a.scene, *b.scene);
+  }
+};
+
+ComputedFactors3 make_factors(const FactorsInput& input, const StageProgress& progress) {
+  const auto prepared = input.prepared->get(progress);
+  if (input.measured) {
+    try {
+      return *input.measured->get(progress);
+    } catch (const InputError&) {  // that scene was refused
+    }
+  }
+  return computed_factors(*prepared, input.request, progress);
+}
+
+struct HiddenInput {
+  StagePtr<ComputedFactors3> factors;
+  StagePtr<PreparedScene3> prepared;  // not compared, as before
+  Granularity granularity = Granularity::kFace;
+  RowChoice rows;
+  friend bool operator==(const HiddenInput& a, const HiddenInput& b) { return a.factors == b.factors; }
+};
+
+std::vector<ElementPair> make_hidden(const HiddenInput& input, const StageProgress& progress) {
+  const auto prepared = input.prepared->get(progress);
+  const auto factors = input.factors->get(progress);
+  return with_file_context(prepared->scene.file,
+                           [&] { return hidden_pairs(*prepared, input.granularity, factors->matrix, input.rows); });
+}
+
+// What lights could shine on, without the lights.
+struct LitInput {
+  StagePtr<PreparedScene3> arrangement;
+  ScenePtr scene;                     // compared in how its surfaces are divided
+  StagePtr<PreparedScene3> prepared;  // not compared, as before
+  Granularity granularity = Granularity::kFace;
+  friend bool operator==(const LitInput& a, const LitInput& b) {
+    return a.arrangement == b.arrangement && a.granularity == b.granularity && is_divided_alike(*a.scene, *b.scene);
+  }
+};
+
+LitElements3 make_lit(const LitInput& input, const StageProgress& progress) {
+  return LitElements3(input.prepared->get(progress), input.granularity);
+}
+
+struct LightSharesInput {
+  StagePtr<LitElements3> lit;
+  ScenePtr scene;                     // compared in its lights
+  StagePtr<PreparedScene3> prepared;  // not compared, as before
+  Granularity granularity = Granularity::kFace;
+  LightTest test = LightTest::kExact;
+  friend bool operator==(const LightSharesInput& a, const LightSharesInput& b) {
+    return a.lit == b.lit && a.test == b.test && are_lit_alike(*a.scene, *b.scene);
+  }
+};
+
+std::vector<LightShares> make_shares(const LightSharesInput& input, const StageProgress& progress) {
+  if (input.scene->lights.empty()) return {};
+  return input.test == LightTest::kExact ? input.lit->get(progress)->shares(*input.scene)
+                                         : light_shares(*input.prepared->get(progress), input.granularity, input.test);
+}
+
+struct SystemInput {
+  StagePtr<ComputedFactors3> factors;
+  FactorsRequest3 asked;              // of them; not compared
+  StagePtr<PreparedScene3> prepared;  // not compared, as before
+  ScenePtr scene;                     // compared in what follows
+  Spectra reflectivities;
+  bool closed = false;
+  SystemRequest3 request;
+  friend bool operator==(const SystemInput& a, const SystemInput& b) {
+    return a.factors == b.factors && a.reflectivities == b.reflectivities && a.closed == b.closed &&
+           a.request == b.request;
+  }
+};
+
+RadiositySolver make_system(const SystemInput& input, const StageProgress& progress) {
+  require_all(input.asked.rows);
+  const auto factors = input.factors->get(progress);
+  if (input.asked.method == nullptr) {
+    require_closed(*input.scene, factors->matrix);
+  } else {  // an error of the method is none of the scene
+    if (input.closed) require_closed(*input.prepared->get(progress));
+    require_not_negative(factors->matrix, input.scene->file, input.asked.method->info().name);
+  }
+  return with_file_context(input.scene->file, [&] {
+    return RadiositySolver(std::shared_ptr<const ExchangeMatrix>(factors, &factors->matrix),
+                           input.reflectivities.values,
+                           {.solver = input.request.solver,
+                            .iterations = input.request.iterations,
+                            .until = input.request.until,
+                            .serves_many = input.request.serves_many});
+  });
+}
+
+struct RadiositiesInput {
+  StagePtr<RadiositySolver> system;
+  StagePtr<ComputedFactors3> factors;  // of the system
+  ScenePtr scene;                      // compared in what follows
+  Spectra emissions;
+  StagePtr<std::vector<LightShares>> shares;  // of the power of the lights
+  Spectra powers;
+  friend bool operator==(const RadiositiesInput& a, const RadiositiesInput& b) {
+    return a.system == b.system && a.emissions == b.emissions && a.shares == b.shares && a.powers == b.powers;
+  }
+};
+
+RadiositySolution make_radiosities(const RadiositiesInput& input, const StageProgress& progress) {
+  const auto solver = input.system->get(progress);
+  const auto shares = input.shares->get(progress);
+  return scene_radiosities(*solver, *input.scene, *shares, input.factors->get(progress)->notes,
+                           telling("radiosity", progress));
+}
+
+// What dividing once more would change, estimated.
+struct DividingInput {
+  StagePtr<RadiositySolution> radiosities;
+  StagePtr<ComputedFactors3> factors;
+  StagePtr<PreparedScene3> prepared;
+  StagePtr<std::vector<LightShares>> shares;
+  FactorsRequest3 asked;
+  LightTest test = LightTest::kExact;
+  friend bool operator==(const DividingInput& a, const DividingInput& b) { return a.radiosities == b.radiosities; }
+};
+
+DividingEstimate make_dividing(const DividingInput& input, const StageProgress& progress) {
+  const auto radiosities = input.radiosities->get(progress);
+  const auto prepared = input.prepared->get(progress);
+  const auto factors = input.factors->get(progress);
+  const auto shares = input.shares->get(progress);
+  return with_file_context(prepared->scene.file, [&] {
+    return estimate_dividing({.prepared = *prepared,
+                              .solved = {prepared->scene, factors->matrix, *radiosities, *shares},
+                              .granularity = input.asked.granularity,
+                              .has_exact_factors = input.asked.method == nullptr,
+                              .lights = input.test,
+                              .progress = telling("dividing", progress)});
+  });
+}
+
+struct LightInput {
+  StagePtr<RadiositySolution> radiosities;
+  StagePtr<PreparedScene3> prepared;  // not compared, as before
+  std::optional<Grid3> grid;          // nothing: there is no light to ask for
+  FactorsRequest3 asked;              // not compared: the radiosities come from them
+  bool is_average = false;
+  friend bool operator==(const LightInput& a, const LightInput& b) {
+    return a.radiosities == b.radiosities && a.grid == b.grid && a.is_average == b.is_average;
+  }
+};
+
+IlluminationGrid3 make_light(const LightInput& input, const StageProgress& progress) {
+  const auto radiosities = input.radiosities->get(progress);
+  const auto prepared = input.prepared->get(progress);
+  const auto told = telling("illumination", progress);
+  return with_file_context_of_pairs(prepared->scene.file, [&] {
+    return input.is_average
+               ? average_irradiance(*prepared, *radiosities, *input.grid, request_of_cells(input.asked, told))
+               : illuminate_points(*prepared, input.asked.granularity, *radiosities, *input.grid, told);
+  });
+}
+
+struct PictureInput {
+  StagePtr<IlluminationGrid3> light;
+  std::shared_ptr<const LightPainter3> painter;
+  friend bool operator==(const PictureInput&, const PictureInput&) = default;
+};
+
+LightPicture3 make_picture(const PictureInput& input, const StageProgress& progress) {
+  const auto light = input.light->get(progress);
+  Stopwatch watch;
+  LightPicture3 result = input.painter->paint(*light);
+  result.seconds = watch.lap();
+  return result;
 }
 
 }  // namespace
@@ -167,96 +370,31 @@ StagePtr<Plan> plan_stage(const StagePtr<PreparedScene3>& prepared, const Simula
 struct Simulation3::Version {
   ScenePtr scene;
   SimulationRequest3 request;
-  StagePtr<Plan> plan;
-  StagePtr<PreparedScene3> arranged;  // of the materials that it was arranged with
-  StagePtr<PreparedScene3> prepared;
-  StagePtr<ComputedFactors3> measured;  // of the materials that they were measured with
-  StagePtr<ComputedFactors3> factors;
-  StagePtr<std::vector<ElementPair>> hidden;
-  StagePtr<LitElements3> lit;  // without the lights that shine on them
-  StagePtr<std::vector<LightShares>> shares;
-  StagePtr<RadiositySolver> system;
-  StagePtr<RadiositySolution> radiosities;
-  StagePtr<DividingEstimate> dividing;
-  StagePtr<IlluminationGrid3> light;  // null: there is no grid
-  StagePtr<LightPicture3> picture;    // null: or no painter
 
-  // Of another request of the scene, or of the first.
-  Version(ScenePtr its_scene, const SimulationRequest3& its_request, const Version* other)
+  StageNode<ArrangementInput, PreparedScene3> arranged;
+  StageNode<PreparedInput, PreparedScene3> prepared;  // with this scene
+  StageNode<PlanInput, Plan> plan;
+  StageNode<FactorsInput, ComputedFactors3> factors;
+  StageNode<HiddenInput, std::vector<ElementPair>> hidden;
+  StageNode<LitInput, LitElements3> lit;
+  StageNode<LightSharesInput, std::vector<LightShares>> shares;
+  StageNode<SystemInput, RadiositySolver> system;
+  StageNode<RadiositiesInput, RadiositySolution> radiosities;
+  StageNode<DividingInput, DividingEstimate> dividing;
+  StageNode<LightInput, IlluminationGrid3> light;
+  StageNode<PictureInput, LightPicture3> picture;
+
+  Version(ScenePtr its_scene, const SimulationRequest3& its_request, const Version* before)
       : scene(std::move(its_scene)), request(its_request) {
     require_grid();
-    const bool keeps_factors = other != nullptr && other->request.factors == request.factors;
-    const bool keeps_lights = keeps_factors && other->request.lights == request.lights;
-    const bool keeps_system = keeps_factors && other->request.system == request.system;
-    arranged = other != nullptr ? other->arranged : prepared_stage(scene);
-    prepared = other != nullptr ? other->prepared : arranged;
-    const bool keeps_plan =
-        other != nullptr && other->request.plan == request.plan && other->request.factors.sky == request.factors.sky;
-    plan = keeps_plan ? other->plan : plan_stage(prepared, request);
-    if (keeps_factors) {
-      measured = other->measured;
-      factors = other->factors;
-      hidden = other->hidden;
-      lit = other->lit;
-      shares = other->shares;
-    } else {
-      set_factors();
-    }
-    if (keeps_factors && !keeps_lights) set_shares();
-    const bool keeps_radiosities = keeps_system && keeps_lights;
-    if (keeps_system) system = other->system;
-    if (keeps_radiosities) {
-      radiosities = other->radiosities;
-      dividing = other->dividing;
-    } else {
-      set_system(keeps_system);
-    }
-    if (keeps_radiosities && other->grid() == grid() && other->request.light.is_average == request.light.is_average)
-      light = other->light;
-    if (light != nullptr && other->request.light.painter == request.light.painter) picture = other->picture;
-    set_light();
+    set_prepared(before);
+    set_factors(before);
+    set_radiosities(before);
+    set_light(before);
   }
 
-  // Of another scene.
-  Version(const Version& other, ScenePtr its_scene) : scene(std::move(its_scene)), request(other.request) {
-    require_grid();
-    const bool has_same_shape = is_same_shape(*other.scene, *scene);
-    const bool are_alike = has_same_shape && are_alike_as_before_3(other.scene->materials, scene->materials);
-    const bool has_same_elements =
-        has_same_shape && std::ranges::equal(other.scene->surfaces, scene->surfaces, &Surface::is_divided_alike);
-    arranged = are_alike ? other.arranged : prepared_stage(scene);
-    prepared = are_alike ? prepared_stage(scene, arranged) : arranged;
-    plan = plan_stage(prepared, request);
-    if (!has_same_elements) {
-      set_factors();
-    } else if (are_alike) {
-      measured = other.measured;
-      factors = other.factors;
-      hidden = other.hidden;
-      lit = other.lit;
-      shares = other.shares;
-      if (!are_lit_alike(*other.scene, *scene)) set_shares();
-    } else {  // it is refused, or arranged as before
-      measured = other.measured;
-      factors = std::make_shared<Stage<ComputedFactors3>>(
-          "view factors",
-          [ready = prepared, before = measured, asked = request.factors](const StageProgress& progress) {
-            const auto there = ready->get(progress);
-            try {
-              return *before->get(progress);
-            } catch (const InputError&) {  // that one was refused
-              return make_factors(*there, asked, progress);
-            }
-          });
-      set_hidden();
-      set_lit();
-      set_shares();
-    }
-    const bool keeps_system = factors == other.factors && scene->closed == other.scene->closed &&
-                              reflectivities_of(scene->materials) == reflectivities_of(other.scene->materials);
-    if (keeps_system) system = other.system;
-    set_system(keeps_system);
-    set_light();
+  std::shared_ptr<const Version> with(Scene3 other) const {
+    return std::make_shared<const Version>(std::make_shared<const Scene3>(std::move(other)), request, this);
   }
 
   std::optional<Grid3> grid() const {
@@ -272,117 +410,60 @@ struct Simulation3::Version {
       throw UsageError("averages are of the irradiance of cells on a side, and a volume has none");
   }
 
-  void set_factors() {
-    factors = std::make_shared<Stage<ComputedFactors3>>(
-        "view factors", [ready = prepared, asked = request.factors](const StageProgress& progress) {
-          return make_factors(*ready->get(progress), asked, progress);
-        });
-    measured = factors;
-    set_hidden();
-    set_lit();
-    set_shares();
+  void set_prepared(const Version* before) {
+    arranged = node_of("preparation", ArrangementInput{scene}, member_of(before, &Version::arranged), make_arrangement);
+    const PreparedInput with_scene{arranged.stage, scene};
+    if (arranged.input.scene == scene)
+      prepared = {with_scene, arranged.stage};
+    else
+      prepared = node_of("preparation", with_scene, member_of(before, &Version::prepared), make_prepared);
+    plan = node_of("plan", PlanInput{prepared.stage, request.plan, request.factors.sky},
+                   member_of(before, &Version::plan), make_plan);
   }
 
-  void set_lit() {
-    lit = std::make_shared<Stage<LitElements3>>(
-        "lights", [ready = prepared, of = request.factors.granularity](const StageProgress& progress) {
-          return LitElements3(ready->get(progress), of);
-        });
+  // What was measured for the version before, where it holds for this scene unless that is refused.
+  StagePtr<ComputedFactors3> measured(const Version* before) const {
+    if (before == nullptr || !(before->request.factors == request.factors) || !is_same_shape(*before->scene, *scene) ||
+        !is_divided_alike(*before->scene, *scene))
+      return nullptr;
+    const FactorsInput& made = before->factors.input;
+    return made.measured ? made.measured : before->factors.stage;
   }
 
-  void set_shares() {
-    shares = std::make_shared<Stage<std::vector<LightShares>>>(
-        "lights", [its = scene, ready = prepared, elements = lit, of = request.factors.granularity,
-                   by = request.lights](const StageProgress& progress) {
-          if (its->lights.empty()) return std::vector<LightShares>();
-          return by == LightTest::kExact ? elements->get(progress)->shares(*its)
-                                         : hottel::light_shares(*ready->get(progress), of, by);
-        });
+  void set_factors(const Version* before) {
+    const Granularity granularity = request.factors.granularity;
+    factors =
+        node_of("view factors", FactorsInput{arranged.stage, scene, prepared.stage, request.factors, measured(before)},
+                member_of(before, &Version::factors), make_factors);
+    hidden = node_of("hidden pairs", HiddenInput{factors.stage, prepared.stage, granularity, request.factors.rows},
+                     member_of(before, &Version::hidden), make_hidden);
+    lit = node_of("lights", LitInput{arranged.stage, scene, prepared.stage, granularity},
+                  member_of(before, &Version::lit), make_lit);
+    shares = node_of("lights", LightSharesInput{lit.stage, scene, prepared.stage, granularity, request.lights},
+                     member_of(before, &Version::shares), make_shares);
   }
 
-  void set_hidden() {
-    hidden = std::make_shared<Stage<std::vector<ElementPair>>>(
-        "hidden pairs", [ready = prepared, made = factors, asked = request.factors](const StageProgress& progress) {
-          const auto there = ready->get(progress);
-          const auto computed = made->get(progress);
-          return with_file_context(
-              there->scene.file, [&] { return hidden_pairs(*there, asked.granularity, computed->matrix, asked.rows); });
-        });
+  void set_radiosities(const Version* before) {
+    system = node_of("radiosity",
+                     SystemInput{factors.stage, request.factors, prepared.stage, scene,
+                                 Spectra{reflectivities_of(scene->materials)}, scene->closed, request.system},
+                     member_of(before, &Version::system), make_system);
+    radiosities = node_of(
+        "radiosity",
+        RadiositiesInput{system.stage, factors.stage, scene, emissions_of(*scene), shares.stage, powers_of(*scene)},
+        member_of(before, &Version::radiosities), make_radiosities);
+    dividing = node_of(
+        "dividing",
+        DividingInput{radiosities.stage, factors.stage, prepared.stage, shares.stage, request.factors, request.lights},
+        member_of(before, &Version::dividing), make_dividing);
   }
 
-  void set_system(bool has_system) {
-    if (!has_system) make_system();
-    radiosities = std::make_shared<Stage<RadiositySolution>>(
-        "radiosity", [its = scene, made = factors, ready = system, of_lights = shares](const StageProgress& progress) {
-          const auto solver = ready->get(progress);
-          const auto lights = of_lights->get(progress);
-          return scene_radiosities(*solver, *its, *lights, made->get(progress)->notes, telling("radiosity", progress));
-        });
-    dividing = std::make_shared<Stage<DividingEstimate>>(
-        "dividing", [ready = prepared, made = factors, solved = radiosities, of_lights = shares,
-                     asked = request.factors, by = request.lights](const StageProgress& progress) {
-          const auto solution = solved->get(progress);
-          const auto there = ready->get(progress);
-          const auto computed = made->get(progress);
-          const auto lights = of_lights->get(progress);
-          return with_file_context(there->scene.file, [&] {
-            return estimate_dividing({.prepared = *there,
-                                      .solved = {there->scene, computed->matrix, *solution, *lights},
-                                      .granularity = asked.granularity,
-                                      .has_exact_factors = asked.method == nullptr,
-                                      .lights = by,
-                                      .progress = telling("dividing", progress)});
-          });
-        });
-  }
-
-  // Those that are not there.
-  void set_light() {
-    if (!grid()) return;
-    if (light == nullptr)
-      light = std::make_shared<Stage<IlluminationGrid3>>(
-          "illumination", [ready = prepared, solved = radiosities, where = *grid(), asked = request.factors,
-                           is_average = request.light.is_average](const StageProgress& progress) {
-            const auto solution = solved->get(progress);
-            const auto there = ready->get(progress);
-            const auto told = telling("illumination", progress);
-            return with_file_context_of_pairs(there->scene.file, [&] {
-              return is_average ? average_irradiance(*there, *solution, where, request_of_cells(asked, told))
-                                : illuminate_points(*there, asked.granularity, *solution, where, told);
-            });
-          });
-    if (picture == nullptr && request.light.painter != nullptr && !grid()->is_volume())
-      picture = std::make_shared<Stage<LightPicture3>>(
-          "picture", [lit = light, painter = request.light.painter](const StageProgress& progress) {
-            const auto values = lit->get(progress);
-            Stopwatch watch;
-            LightPicture3 result = painter->paint(*values);
-            result.seconds = watch.lap();
-            return result;
-          });
-  }
-
-  void make_system() {
-    system = std::make_shared<Stage<RadiositySolver>>(
-        "radiosity", [its = scene, made = factors, ready = prepared, asked = request.system,
-                      method = request.factors.method, rows = request.factors.rows](const StageProgress& progress) {
-          require_all(rows);
-          const auto computed = made->get(progress);
-          if (method == nullptr) {
-            hottel::require_closed(*its, computed->matrix);
-          } else {  // an error of the method is none of the scene
-            if (its->closed) hottel::require_closed(*ready->get(progress));
-            require_not_negative(computed->matrix, its->file, method->info().name);
-          }
-          return with_file_context(its->file, [&] {
-            return RadiositySolver(std::shared_ptr<const ExchangeMatrix>(computed, &computed->matrix),
-                                   reflectivities_of(its->materials),
-                                   {.solver = asked.solver,
-                                    .iterations = asked.iterations,
-                                    .until = asked.until,
-                                    .serves_many = asked.serves_many});
-          });
-        });
+  void set_light(const Version* before) {
+    light = node_of("illumination",
+                    LightInput{radiosities.stage, prepared.stage, grid(), request.factors, request.light.is_average},
+                    member_of(before, &Version::light), make_light);
+    picture = node_of("picture", PictureInput{light.stage, request.light.painter}, member_of(before, &Version::picture),
+                      make_picture);
   }
 };
 
@@ -398,22 +479,19 @@ Simulation3 Simulation3::with_materials(std::vector<Material> materials) const {
   Scene3 scene = *version_->scene;
   scene.materials = std::move(materials);
   validate_table(scene);
-  return Simulation3(std::make_shared<const Version>(*version_, std::make_shared<const Scene3>(std::move(scene))));
+  return Simulation3(version_->with(std::move(scene)));
 }
 
 Simulation3 Simulation3::with_scene(Scene3 scene) const {
   if (!has_places_of(scene, *version_->scene)) return with_scene(ValidScene3(std::move(scene)));
   validate_but_polygons(scene);
-  return Simulation3(std::make_shared<const Version>(*version_, std::make_shared<const Scene3>(std::move(scene))));
+  return Simulation3(version_->with(std::move(scene)));
 }
 
-Simulation3 Simulation3::with_scene(ValidScene3 scene) const {
-  return Simulation3(std::make_shared<const Version>(*version_, std::make_shared<const Scene3>(std::move(scene))));
-}
+Simulation3 Simulation3::with_scene(ValidScene3 scene) const { return Simulation3(version_->with(std::move(scene))); }
 
 Simulation3 Simulation3::with_trees(std::vector<SurfaceTrees> trees) const {
-  auto scene = std::make_shared<const Scene3>(hottel::with_trees(*version_->scene, std::move(trees)));
-  return Simulation3(std::make_shared<const Version>(*version_, std::move(scene)));
+  return Simulation3(version_->with(hottel::with_trees(*version_->scene, std::move(trees))));
 }
 
 bool are_alike_as_before_3(const std::vector<Material>& before, const std::vector<Material>& now) {
@@ -429,13 +507,13 @@ const SimulationRequest3& Simulation3::request() const { return version_->reques
 std::optional<Grid3> Simulation3::grid() const { return version_->grid(); }
 
 std::shared_ptr<const Plan> Simulation3::plan(const StageProgress& progress) const {
-  return version_->plan->get(progress);
+  return version_->plan.stage->get(progress);
 }
 std::shared_ptr<const PreparedScene3> Simulation3::prepared(const StageProgress& progress) const {
-  return version_->prepared->get(progress);
+  return version_->prepared.stage->get(progress);
 }
 std::shared_ptr<const ComputedFactors3> Simulation3::factors(const StageProgress& progress) const {
-  return version_->factors->get(progress);
+  return version_->factors.stage->get(progress);
 }
 void Simulation3::require_closed(const StageProgress& progress) const {
   if (!scene().closed) return;
@@ -445,27 +523,27 @@ void Simulation3::require_closed(const StageProgress& progress) const {
     hottel::require_closed(*prepared(progress));
 }
 std::shared_ptr<const std::vector<LightShares>> Simulation3::light_shares(const StageProgress& progress) const {
-  return version_->shares->get(progress);
+  return version_->shares.stage->get(progress);
 }
 std::shared_ptr<const RadiositySolver> Simulation3::system(const StageProgress& progress) const {
-  return version_->system->get(progress);
+  return version_->system.stage->get(progress);
 }
 std::shared_ptr<const RadiositySolution> Simulation3::radiosities(const StageProgress& progress) const {
-  return version_->radiosities->get(progress);
+  return version_->radiosities.stage->get(progress);
 }
 std::shared_ptr<const DividingEstimate> Simulation3::dividing(const StageProgress& progress) const {
-  return version_->dividing->get(progress);
+  return version_->dividing.stage->get(progress);
 }
 std::shared_ptr<const IlluminationGrid3> Simulation3::light(const StageProgress& progress) const {
-  HOTTEL_REQUIRE(version_->light != nullptr);
-  return version_->light->get(progress);
+  HOTTEL_REQUIRE(grid().has_value());
+  return version_->light.stage->get(progress);
 }
 std::shared_ptr<const LightPicture3> Simulation3::picture(const StageProgress& progress) const {
-  HOTTEL_REQUIRE(version_->picture != nullptr);
-  return version_->picture->get(progress);
+  HOTTEL_REQUIRE(grid() && !grid()->is_volume() && request().light.painter != nullptr);
+  return version_->picture.stage->get(progress);
 }
 std::shared_ptr<const std::vector<ElementPair>> Simulation3::hidden(const StageProgress& progress) const {
-  return version_->hidden->get(progress);
+  return version_->hidden.stage->get(progress);
 }
 
 }  // namespace hottel

@@ -135,7 +135,9 @@ bool are_alike_as_before_3(const std::vector<Material>& before, const std::vecto
 //       that is refused (InputError), or all lies as before, and the factors are copied
 //   (5) a version with a scene of the same shape, whose materials act alike as before, shares the arrangement, however
 //       surfaces are divided. It shares the factors too if surfaces are divided alike, and then the stage `lights` if
-//       all lights have the same places, directions and beams; their powers may differ
+//       all lights have the same names, places, directions and beams; their powers may differ
+//   (6) radiosities and what is computed from them are shared unless one of these changed: the system, emissions, that
+//       of the sky, lights, the promise `closed`
 //
 // Light and picture are computed from the solution, on the grid; they are computed again whenever the solution is.
 // RequestErrors name the scene's file. They are thrown if memory does not suffice, a pair cannot be measured or has no

@@ -153,6 +153,27 @@ TEST(Simulation3, OtherMaterialsShareTheFactorsAndOtherEmissionsTheSystem) {
   expect_fresh(alike);
 }
 
+// (6).
+TEST(Simulation3, RadiositiesAreSharedUnlessWhatTheyComeFromChanged) {
+  Scene3 scene = cube();
+  scene.grids = {{{0, 0, Rational(1, 2)}, {1, 0, 0}, {0, 1, 0}, 3, 2}};
+  const Simulation3 simulation(scene);
+  const auto light = simulation.light();
+  scene.about = "the same, told otherwise";
+  scene.camera.reset();
+  const Simulation3 retold = simulation.with_scene(scene);
+  EXPECT_EQ(retold.radiosities(), simulation.radiosities());
+  EXPECT_EQ(retold.dividing(), simulation.dividing());
+  EXPECT_EQ(retold.light(), light);
+  EXPECT_EQ(retold.prepared()->scene.about, scene.about);
+  scene.sky_emission = Spectrum::scalar(7);
+  const Simulation3 under_sky = retold.with_scene(scene);
+  EXPECT_EQ(under_sky.system(), simulation.system());
+  EXPECT_NE(under_sky.radiosities(), simulation.radiosities());
+  scene.closed = !scene.closed;
+  EXPECT_NE(under_sky.with_scene(scene).system(), simulation.system());
+}
+
 TEST(Simulation3, MaterialsThatNoLongerAgreeOnAnOverlapAreRefused) {
   const Simulation3 simulation(parse_scene_3(R"({"hottel": 1, "dimension": 3,
     "materials": {"m": {"reflectivity": 0.5}, "n": {"reflectivity": 0.5}}, "polygons": [
