@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "cli/grid_array.h"
 #include "cli/room_for_elements.h"
 #include "cli/solve_run.h"
+#include "cli/space_grid_files.h"
 #include "cli/views.h"
 #include "cli/volume_files.h"
 #include "geometry/name.h"
@@ -32,7 +32,6 @@
 #include "kernel/support/memory.h"
 #include "kernel/support/stopwatch.h"
 #include "kernel/support/with_file_context.h"
-#include "solver/space/light/oriented_lights.h"
 #include "solver/space/simulation/refined.h"
 #include "viewer/picture/space/gathered_source.h"
 #include "viewer/picture/space/gathered_view.h"
@@ -76,76 +75,6 @@ void require_what_space_has(const SolveOptions& options) {
   if (options.no_outlines && options.show == usual.show)
     throw UsageError("--no-outlines goes with --show of something else than light, which has none");
 }
-
-GridPicture3 grid_picture_of(const SolveOptions& options, const Scene3& scene) {
-  return {.tone = tone_asked(options.tone, kUsualTone3),
-          .exposure = options.exposure,
-          .wanted_width = options.size,
-          .has_axes = options.axes,
-          .length_unit = length_unit(scene),
-          .contours = options.contours};
-}
-
-// The files of light on a planar grid of the scene, and of what --show has of it.
-struct GridFiles {
-  Grid3 grid;
-  GridArray irradiance;
-  std::optional<GridArray> error, shown_cells;
-  OutputFile* png = nullptr;
-
-  GridFiles(const SolveOptions& options, const Shown& shown, const Grid3& where, SolveFiles& files)
-      : grid(where), irradiance("illumination", where.name, options.exr, files) {
-    if (options.illumination == "average") error.emplace("illumination_error", where.name, false, files);
-    if (is_of_points(shown)) shown_cells.emplace("shown", where.name, options.exr, files);
-    if (!options.no_picture) png = &files.add("illumination.png", grid_file("illumination.png", where.name));
-  }
-
-  // Asks for the light, and for its picture where there is a file for it. Returns the largest error of averages.
-  std::optional<double> write(const Simulation3& all, const Shown& shown, const GridPicture3& how,
-                              const Streams& streams, std::map<std::string, double>& seconds) {
-    SimulationRequest3 request = all.request();
-    request.light.grid = grid;
-    const Simulation3 simulation = all.with_request(request);
-    const auto light = simulation.light(streams.stages());
-    seconds["illumination"] += light->seconds;
-    write_light(*light, simulation.radiosities()->channel_names);
-    if (shown_cells) {
-      write_shown(simulation, shown, how, streams, seconds);
-    } else if (png) {
-      const auto picture = simulation.picture(streams.stages());
-      seconds["picture"] += picture->seconds;
-      png->write(picture->bytes);
-    }
-    return light->max_error();
-  }
-
- private:
-  void write_light(const IlluminationGrid3& light, const std::vector<std::string>& channels) {
-    const std::size_t shape[3] = {grid.nv, grid.nu, light.channels};
-    irradiance.write(shape, light.values, channels, kRadiosityUnit,
-                     illumination_sidecar(region_of(grid), channels, light.max_error()));
-    if (error)
-      error->write(std::span(shape).first(2), light.errors, {}, kRadiosityUnit, average_error_sidecar(region_of(grid)));
-  }
-
-  // What is shown at the centres of cells, on areas that look along u x v.
-  void write_shown(const Simulation3& simulation, const Shown& shown, const GridPicture3& how, const Streams& streams,
-                   std::map<std::string, double>& seconds) {
-    Stopwatch watch;
-    const auto solution = simulation.radiosities();
-    const std::vector<OrientedLight> lights =
-        oriented_lights_on_grid(*simulation.prepared(), simulation.request().factors.granularity, *solution, grid,
-                                streams.progress("light on the grid"));
-    const ShownValues values = shown_at_points(shown, lights, solution->channel_names);
-    seconds["illumination"] += watch.lap();
-    const std::size_t shape[2] = {grid.nv, grid.nu};
-    shown_cells->write(shape, values.numbers(), {values.name}, values.unit,
-                       shown_sidecar(region_of(grid), values.name, values.unit));
-    if (!png) return;
-    png->write(grid_picture_3(grid, values, how));
-    seconds["picture"] += watch.lap();
-  }
-};
 
 // What the cells of a grid see.
 struct GridViews {
@@ -268,7 +197,7 @@ PictureView picture_view_of(const RenderedView3& view, const Scene3& scene) {
 
 SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene, const std::vector<Grid3>& grids,
                               std::uint64_t texels) {
-  const GridPicture3 picture = grid_picture_of(options, scene);
+  const GridPicture3 picture = light_picture_3(options, scene);
   return {.factors = {.method = options.method == "exact" ? nullptr : all_methods_3().make(options.method),
                       .granularity = is_divided(scene) || options.levels.levels().is_any() ? Granularity::kElement
                                                                                            : Granularity::kFace,
@@ -343,7 +272,7 @@ class SpaceOutputs {
 
  private:
   Granularity granularity() const { return run_.simulation.request().factors.granularity; }
-  GridPicture3 how() const { return grid_picture_of(run_.options, run_.simulation.scene()); }
+  GridPicture3 how() const { return light_picture_3(run_.options, run_.simulation.scene()); }
 
   void add_views(const Grid3& grid) {
     views_.push_back({grid, ViewsOutput(grid_file(run_.options.views, grid.name))});
@@ -353,7 +282,7 @@ class SpaceOutputs {
 
   void write_grids(SolveReport& report) {
     std::optional<double>& max_error = report.illumination_max_error;
-    for (GridFiles& each : grid_files_)
+    for (SpaceGridFiles& each : grid_files_)
       if (const auto error = each.write(run_.simulation, shown_, how(), run_.streams, report.seconds))
         max_error = std::max(max_error.value_or(0), *error);
     for (VolumeFiles& each : volume_files_) each.write(run_.simulation, shown_, run_.streams, report.seconds);
@@ -380,7 +309,7 @@ class SpaceOutputs {
   const Shown& shown_;
   const std::vector<Grid3>& grids_;
   OutputFile& vtu_;
-  std::deque<GridFiles> grid_files_;
+  std::deque<SpaceGridFiles> grid_files_;
   std::deque<VolumeFiles> volume_files_;
   std::deque<GridViews> views_;
   std::optional<TexelFiles> texels_;
