@@ -54,13 +54,13 @@ class ErrorTeller {
             fmt::format(
                 "all light that meets {} is reflected, or sent back by a given net flux, and none gets out, yet "
                 "heat is supplied or taken there: there are no temperatures for it",
-                names_text(scene_, surfaces_of(faces))),
+                names_text(scene_, surfaces_of_elements(matrix_, faces))),
             "give one of them a temperature, or open a way to the sky");
       else if (fate.has_no_solution)
         add("no-solution", faces,
             fmt::format("all light that meets {} is reflected and none gets out, yet some is emitted there: it would "
                         "grow without end",
-                        names_text(scene_, surfaces_of(faces))),
+                        names_text(scene_, surfaces_of_elements(matrix_, faces))),
             "give one of them a reflectivity below 1, or open a way to the sky");
   }
 
@@ -111,19 +111,13 @@ class ErrorTeller {
   void tell_beyond(const Faces& faces, const std::string& what, const char* suggestion) {
     if (faces.empty()) return;
     add("beyond-doubles", faces,
-        fmt::format("{} {} is beyond the range of doubles", what, names_text(scene_, surfaces_of(faces))), suggestion);
+        fmt::format("{} {} is beyond the range of doubles", what,
+                    names_text(scene_, surfaces_of_elements(matrix_, faces))),
+        suggestion);
   }
 
   void add(const char* kind, const Faces& faces, std::string message, const char* suggestion) {
-    errors_.push_back({kind, surfaces_of(faces), std::move(message), suggestion});
-  }
-
-  std::vector<std::uint32_t> surfaces_of(const Faces& faces) const {
-    std::vector<std::uint32_t> surfaces;
-    for (const std::uint32_t face : faces)
-      if (surfaces.empty() || surfaces.back() != matrix_.elements()[face].surface)
-        surfaces.push_back(matrix_.elements()[face].surface);
-    return surfaces;
+    errors_.push_back({kind, surfaces_of_elements(matrix_, faces), std::move(message), suggestion});
   }
 
   const Material& material_of(std::uint32_t face) const { return scene_.materials[*matrix_.elements()[face].material]; }
@@ -167,6 +161,14 @@ class ErrorTeller {
 };
 
 }  // namespace
+
+std::vector<std::uint32_t> surfaces_of_elements(const ExchangeMatrix& matrix, std::span<const std::uint32_t> elements) {
+  std::vector<std::uint32_t> surfaces;
+  for (const std::uint32_t element : elements)
+    if (surfaces.empty() || surfaces.back() != matrix.elements()[element].surface)
+      surfaces.push_back(matrix.elements()[element].surface);
+  return surfaces;
+}
 
 LightError refused_light(const SceneTable& scene, std::string message) {
   if (untold_lamp(scene).empty()) return {"beyond-doubles", {}, std::move(message), kOtherLight};

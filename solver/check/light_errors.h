@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@
 #include "solver/check/light_fates.h"
 
 namespace hottel {
+
+// Returns the surfaces of these elements, each once. REQUIRES elements that ascend.
+std::vector<std::uint32_t> surfaces_of_elements(const ExchangeMatrix& matrix, std::span<const std::uint32_t> elements);
 
 // An error that a check tells; where it is, is a matter of the dimension.
 struct LightError {

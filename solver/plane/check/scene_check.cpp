@@ -137,16 +137,8 @@ class LightTeller {
         {severity, std::move(kind), std::move(surfaces), at, std::move(message), std::move(suggestion)});
   }
 
-  std::vector<std::uint32_t> surfaces_of(const Faces& faces) const {
-    std::vector<std::uint32_t> surfaces;
-    for (const std::uint32_t face : faces)
-      if (surfaces.empty() || surfaces.back() != matrix_.elements()[face].surface)
-        surfaces.push_back(matrix_.elements()[face].surface);
-    return surfaces;
-  }
-
   void tell_component(const Faces& faces, const LightFate& fate) {
-    const std::vector<std::uint32_t> surfaces = surfaces_of(faces);
+    const std::vector<std::uint32_t> surfaces = surfaces_of_elements(matrix_, faces);
     const std::string names = names_text(scene_, surfaces);
     if (fate.has_no_solution) return;  // an error
     if (fate.reflects_all)
