@@ -364,7 +364,7 @@ void add_animate(Commands& commands) {
       ->capture_default_str();
   command.add_option("--size", options->size, "pixels of the frames across")
       ->type_name("W")
-      ->check(CLI::Range(1u, kMaxPictureSide));
+      ->transform(whole_number(1, kMaxPictureSide));
   command
       .add_option("--shading", options->shading,
                   "in space: flat: each element has its value; smooth: values are blended over flat surfaces; "

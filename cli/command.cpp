@@ -171,10 +171,17 @@ CLI::Validator number_not_below_zero() {
   return number_check("a number not below 0", [](const std::string& text) { return number_or_nan(text) >= 0; });
 }
 
+CLI::Validator number_between(double least, double most) {
+  return number_check(fmt::format("a number from {} to {}", least, most), [least, most](const std::string& text) {
+    const double number = number_or_nan(text);
+    return least <= number && number <= most;
+  });
+}
+
 CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
   const bool has_most = most < std::numeric_limits<std::uint64_t>::max();
   const std::string wanted = has_most ? "a whole number from " + std::to_string(least) + " to " + std::to_string(most)
-                                      : "a whole number not below " + std::to_string(least) + " and below 2^64";
+                                      : "a whole number from " + std::to_string(least) + " to 2^64 - 1";
   return number_check(wanted, [least, most](std::string& text) {
     if (text.empty() || text.find_first_not_of("0123456789") != std::string::npos) return false;
     text.erase(0, std::min(text.find_first_not_of('0'), text.size() - 1));

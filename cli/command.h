@@ -18,9 +18,8 @@
 //   2    UsageError (CLI11 throws its own for unknown commands and options, before run); an argument that is empty
 //   3    InputError, OutputError, std::filesystem::filesystem_error
 //   130  Interrupted by Ctrl-C; 128 + signal by another one. Work that polls kernel/support/interrupt.h stops by
-//   itself;
-//        other work is ended after a second, or at the second signal, without a trace: temporary files of OutputFile
-//        are removed in the signal handler.
+//        itself; other work is ended after a second, or at the second signal, without a trace: temporary files of
+//        OutputFile are removed in the signal handler.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -45,6 +44,7 @@ enum class ExitCode : int { kDone = 0, kUnmet = 1, kUsage = 2, kFile = 3, kInter
 // number. Finite numbers only.
 CLI::Validator positive_number();
 CLI::Validator number_not_below_zero();
+CLI::Validator number_between(double least, double most);
 
 // A whole number in this range, for CLI::Option::transform: leading zeros are dropped, which CLI11 takes for the mark
 // of octal numbers.

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -41,9 +42,19 @@ std::string reflectivities(const std::vector<std::string>& materials, const Rati
                      input);
 }
 
+// Files that the scene is made of stay as they are; the scene itself may be rewritten in its place.
+void require_unread_output(const ConvertOptions& options, const SceneTable& scene) {
+  for (const std::string& source : scene.sources) {
+    std::error_code missing;
+    if (!std::filesystem::equivalent(source, options.in, missing))
+      require_not_read("OUT " + options.out, options.out, options.in, source);
+  }
+}
+
 // A scene as the file that is asked for has it: as text, or read already.
 template <class AnyScene>
 void write_as_scene(const ConvertOptions& options, const AnyScene& scene, const Streams& streams) {
+  require_unread_output(options, scene);
   streams.write(options.out, with_file_context(options.in, [&] {
                   if (is_binary_scene_name(options.out)) return binary_scene(scene);
                   if constexpr (std::is_same_v<AnyScene, Scene2>)
@@ -98,6 +109,7 @@ void note_lost_planes(const Scene3& scene, Streams& streams) {
 }
 
 void write_as_mesh(const ConvertOptions& options, MeshFormat3 format, const Scene3& scene, Streams& streams) {
+  require_unread_output(options, scene);
   with_file_context(options.in, [&] { write_mesh(options.out, format, scene, streams); });
 }
 
@@ -110,7 +122,7 @@ void convert_mesh(const ConvertOptions& options, Streams& streams) {
   note_cuts(triangulator, streams);
   if (const auto format = mesh_format_3(options.out)) return write_as_mesh(options, *format, mesh.scene, streams);
   if (!is_binary_scene_name(options.out)) note_lost_planes(mesh.scene, streams);
-  write_as_scene(options, mesh.scene, streams);
+  write_as_scene(options, *mesh.scene, streams);
   if (!mesh.invented.empty())
     streams.note(fmt::format("{}; {}", counted(mesh.scene->surfaces.size(), "polygon"),
                              reflectivities(mesh.invented, kMeshReflectivity, "the mesh")));
@@ -131,15 +143,16 @@ void convert_scene(const ConvertOptions& options, Streams& streams) {
 
 // Reads the scene of a file, in space, and writes it to a deck, combined per "face" or "group"; empty: a deck per
 // group, anything else per face. Remarks tell what the deck does not say. Throws InputError for a scene in the plane.
-void write_deck(const std::string& in, const PolygonOptions& polygons, const std::string& out, const std::string& per,
-                const Streams& streams) {
-  const Scene scene = changeable(read_scene_noting(in, polygons, streams));
+void write_deck(const ConvertOptions& options, const Streams& streams) {
+  const std::string &in = options.in, &per = options.per;
+  const Scene scene = changeable(read_scene_noting(in, options.polygons, streams));
   const Scene3* const in_space = std::get_if<Scene3>(&scene);
   if (in_space == nullptr)
     throw InputError({in, 0}, "the scene is in the plane (dimension 2); a deck (.vs3) is in space");
+  require_unread_output(options, *in_space);
   const bool combines_groups = per.empty() ? is_vs3(in) : per == "group";
   const WrittenVs3Deck3 deck = with_file_context(in, [&] { return write_vs3_3(*in_space, combines_groups); });
-  streams.write(out, deck.text);
+  streams.write(options.out, deck.text);
   for (const std::string& note : deck.notes) streams.note(one_line(note));
 }
 
@@ -166,7 +179,7 @@ ExitCode convert(const ConvertOptions& options, Streams& streams) {
       throw UsageError("a drawing is in the plane and becomes a scene (.json), not a mesh or a deck");
     convert_drawing(options, streams);
   } else if (makes_deck && (mesh_format_3(options.in) || is_vs3(options.in) || is_scene)) {
-    write_deck(options.in, options.polygons, options.out, options.per, streams);
+    write_deck(options, streams);
   } else if (mesh_format_3(options.in)) {
     convert_mesh(options, streams);
   } else if (is_scene || is_vs3(options.in)) {

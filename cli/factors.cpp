@@ -101,6 +101,11 @@ void require_sense(const FactorsOptions& options) {
     throw UsageError("--script-f is written as --matrix factor, not --matrix " + options.matrix);
   if (options.script_f && options.pairs != "visible")
     throw UsageError("--script-f lists all pairs that exchange heat: it goes with --pairs visible only");
+  if (std::string file = options.method; file.starts_with("file:")) {
+    file.erase(0, 5);
+    if (file.ends_with(":normalised")) file.erase(file.rfind(':'));
+    require_not_read("-o " + options.out, options.out, "--method", file);
+  }
   require_sense_of_digits(options);
   require_sense_of_rows(options);
   require_sense_of_folders(options);

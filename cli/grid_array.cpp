@@ -1,8 +1,11 @@
 #include "cli/grid_array.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "cli/grid_exr.h"
+#include "geometry/name.h"
 #include "io/results/grid_file.h"
 #include "io/results/npy.h"
 
@@ -25,6 +28,12 @@ void GridArray::write(std::span<const std::size_t> shape, const std::vector<doub
   write_npy(shape, values, [this](std::string_view bytes) { npy_.write(bytes); });
   sidecar_.write(about);
   if (exr_) exr_->write(grid_exr({shape[1], shape[0], channels, values, unit, about}));
+}
+
+void note_cells_without_light(const std::string& grid, std::span<const double> light, const Streams& streams) {
+  if (!std::ranges::all_of(light, [](double value) { return std::isnan(value); })) return;
+  streams.note("no cell of the grid " + (grid.empty() ? "" : quoted_name(grid) + " ") +
+               "has light: all lie in solids, or outside of the closed scene");
 }
 
 }  // namespace hottel

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/solve_files.h"
+#include "cli/streams.h"
 #include "io/files/output_file.h"
 
 namespace hottel {
@@ -27,5 +28,8 @@ class GridArray {
   OutputFile &npy_, &sidecar_;
   OutputFile* exr_ = nullptr;
 };
+
+// Tells where no cell of a grid has light. grid: its name, which may be empty.
+void note_cells_without_light(const std::string& grid, std::span<const double> light, const Streams& streams);
 
 }  // namespace hottel

@@ -73,6 +73,7 @@ ToldOfGrid2 PlaneGridFiles::write(const SolveOptions& options, const Simulation2
   const Found its = found(simulation, streams);
   seconds["illumination"] += its.light->seconds;
   if (its.picture) seconds["picture"] += its.picture->seconds;
+  note_cells_without_light(grid_.name, its.light->grid.values, streams);
   Stopwatch watch;
   write_numbers(options, simulation, its);
   write_pictures(options, simulation, its);

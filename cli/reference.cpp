@@ -247,6 +247,8 @@ ExitCode reference(const ReferenceOptions& options, Streams& streams) {
 
   std::vector<GivenScene> given = given_scenes(options, streams);
   require_some_in_space(options, given);
+  const std::filesystem::path directory = options.directory;
+  const OutputFolder whole(directory);  // before the work
   std::vector<SceneReference> scenes;
   for (std::size_t k = 0; k < given.size(); ++k) {
     const SceneReference& scene =
@@ -258,8 +260,6 @@ ExitCode reference(const ReferenceOptions& options, Streams& streams) {
   }
   const std::vector<SetFile> files = set_files(std::move(scenes), said_of_factors(options));
 
-  const std::filesystem::path directory = options.directory;
-  const OutputFolder whole(directory);
   std::vector<OutputFolder> folders;
   std::vector<OutputFile> outputs;
   for (const SetFile& file : files) {

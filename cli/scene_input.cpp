@@ -130,6 +130,13 @@ void ElementOptions::apply_to(Scene3& scene) const { divide(scene, *this); }
 void ElementOptions::apply_to(ValidScene2& scene) const { divide(scene, *this); }
 void ElementOptions::apply_to(ValidScene3& scene) const { divide(scene, *this); }
 
+void require_not_read(const std::string& output, const std::filesystem::path& written, const std::string& reader,
+                      const std::filesystem::path& read) {
+  std::error_code missing;
+  if (std::filesystem::equivalent(written, read, missing) && !missing)
+    throw UsageError(output + " is a file that " + reader + " reads: give the output another name");
+}
+
 std::filesystem::path output_folder(const std::string& option, const std::string& scene) {
   if (option == "-") throw UsageError("results are several files: -o takes a folder, not standard output");
   if (!option.empty()) return option;

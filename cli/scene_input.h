@@ -73,6 +73,11 @@ struct ElementOptions {
 // output.
 std::filesystem::path output_folder(const std::string& option, const std::string& scene);
 
+// Throws UsageError where a file that is to be written is one that is read. output, reader: what messages call them, as
+// "-o x.csv" and "--points".
+void require_not_read(const std::string& output, const std::filesystem::path& written, const std::string& reader,
+                      const std::filesystem::path& read);
+
 // The number of an option. Throws UsageError, naming the option, for what parse_rational does not read.
 Rational number_of(const std::string& text, const std::string& option);
 

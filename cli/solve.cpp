@@ -132,7 +132,7 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
       ->excludes(outlines);
   CLI::Option* size =
       command.add_option("--size", options.size, "pixels of the picture across, rounded to whole pixels a cell");
-  size->type_name("W")->check(CLI::Range(1u, kMaxPictureSide));
+  size->type_name("W")->transform(whole_number(1, kMaxPictureSide));
   CLI::Option* no_picture =
       command.add_flag("--no-picture", options.no_picture, "no illumination.png; one that is there stays as it is");
   CLI::Option* no_illumination = command.add_flag(

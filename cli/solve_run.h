@@ -65,8 +65,7 @@ struct SolveRun {
 // outputs: the files that scenes of this dimension have beside the tables. It has
 //   write_elements(solved, report)  writes what elements have: pictures or meshes of them
 //   write_light(solved, report)     writes light between the faces, and pictures of it; adds what the report says of
-//   them,
-//                                   and the seconds that they took
+//                                   them, and the seconds that they took
 //   told()                          names what was written outside the folder: lines for people, each after a newline
 template <class Simulation, class Outputs>
 void solve_and_write(const SolveRun<Simulation>& run, Outputs& outputs) {

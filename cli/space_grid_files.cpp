@@ -35,6 +35,7 @@ std::optional<double> SpaceGridFiles::write(const Simulation3& all, const Shown&
   const Simulation3 simulation = all.with_request(request);
   const auto light = simulation.light(streams.stages());
   seconds["illumination"] += light->seconds;
+  note_cells_without_light(grid_.name, light->values, streams);
   write_light(*light, simulation.radiosities()->channel_names);
   if (shown_) {
     write_shown(simulation, shown, how, streams, seconds);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <utility>
 #include <variant>
 
 #include "cli/command.h"
@@ -59,19 +60,25 @@ class FrameFiles {
 
 // The words of the view modes of one dimension, one of which must be asked for.
 template <class Mode>
-void require_view_mode(const std::string& look, int count) {
+void require_view_mode(const std::string& look, int count, const char* where) {
   std::vector<std::string> known;
   for (int k = 0; k < count; ++k) known.push_back(to_string(static_cast<Mode>(k)));
   if (std::ranges::find(known, look) == known.end())
-    throw UnknownName("there is nothing to look at called '" + look + "'", look, known);
+    throw UnknownName(
+        fmt::format("there is nothing to look at called '{}' {}; there are {}", look, where, fmt::join(known, ", ")),
+        look, known);
 }
 
-// The viewer of the scene, whatever its dimension. Its file is read, and may be read again.
-std::unique_ptr<Viewer> viewer_of(const ViewOptions& options, Window& window, const Streams& streams) {
+// The scene of the file: read before a window is opened, so that what is wrong with it is said first.
+Scene scene_of(const ViewOptions& options, const Streams& streams) {
+  return changeable(read_scene_noting(options.scene, options.polygons, streams));
+}
+
+// The viewer of the scene, whatever its dimension. Its file may be read again.
+std::unique_ptr<Viewer> viewer_of(const ViewOptions& options, Scene scene, Window& window) {
   std::unique_ptr<Viewer> viewer;
-  Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams));
   if (Scene3* const space = std::get_if<Scene3>(&scene)) {
-    require_view_mode<ViewMode3>(options.look, kViewModes3);
+    require_view_mode<ViewMode3>(options.look, kViewModes3, "in space");
     // The scene that has been read is the first one.
     const auto first = std::make_shared<std::optional<Scene3>>(std::move(*space));
     const auto read = [file = options.scene, elements = options.elements, first] {
@@ -88,7 +95,7 @@ std::unique_ptr<Viewer> viewer_of(const ViewOptions& options, Window& window, co
     viewer = std::make_unique<Viewer3>(ViewerSource3{options.scene, read}, window,
                                        FactorsRequest3{.memory = options.memory.value_or(0)}, options.scale);
   } else {
-    require_view_mode<ViewMode2>(options.look, kViewModes2);
+    require_view_mode<ViewMode2>(options.look, kViewModes2, "in the plane");
     if (options.elements.is_given())
       throw UsageError("--elements and --element-size divide the polygons of scenes in space; " + options.scene +
                        " is in the plane");
@@ -108,7 +115,7 @@ ExitCode play(const ViewOptions& options, Streams& streams) {
   const std::string name = options.script == "-" ? "standard input" : options.script;
   const std::vector<ScriptStep> steps = parse_script(text, name);
   RecordingWindow window(size_of(options));
-  const std::unique_ptr<Viewer> viewer = viewer_of(options, window, streams);
+  const std::unique_ptr<Viewer> viewer = viewer_of(options, scene_of(options, streams), window);
   std::optional<FrameFiles> frames;
   ScriptOutputs outputs{.print = [&streams](const std::string& line) { streams.write("", line + "\n"); }};
   if (!options.record.empty()) {
@@ -130,8 +137,9 @@ ExitCode view(const ViewOptions& options, Streams& streams) {
   if (options.record == "-")
     throw UsageError("a recording is many files: --record takes a folder, not standard output");
   if (!options.script.empty() || !options.screenshot.empty() || !options.record.empty()) return play(options, streams);
+  Scene scene = scene_of(options, streams);
   const std::unique_ptr<Window> window = open_window("hottel", size_of(options));
-  const std::unique_ptr<Viewer> viewer = viewer_of(options, *window, streams);
+  const std::unique_ptr<Viewer> viewer = viewer_of(options, std::move(scene), *window);
   viewer->run();
   return ExitCode::kDone;
 }
@@ -161,8 +169,7 @@ void add_view(Commands& commands) {
       ->capture_default_str();
   command.add_option("--scale", options->scale, "letters and lines S times as large")
       ->type_name("S")
-      ->check(positive_number())
-      ->check(CLI::Range(0.25, kMostScale))
+      ->check(number_between(0.25, kMostScale))
       ->capture_default_str();
   command.add_option("--size", options->size, "pixels of the window; without it 1280x800 times S")->type_name("WxH");
   command.add_option("--screenshot", options->screenshot, "write what is seen at last (.png)")->type_name("FILE");

@@ -95,6 +95,7 @@ ExitCode faces_at_points(const VisibilityOptions& options, const std::string& te
 ExitCode from_points(const VisibilityOptions& options, Streams& streams) {
   const bool is_standard_input = options.points == kStandardInput;
   const std::string name = is_standard_input ? kStandardInputName : options.points;
+  require_not_read("-o " + options.out, options.out, "--points", options.points);
   const std::string text = is_standard_input ? read_standard_input() : read_text_file(options.points);
   if (names_normals(text)) return light_at_points(options, {text, name, options.scene, options.out}, streams);
   if (are_points_3(text)) return faces_at_points(options, text, name, streams);

@@ -50,6 +50,7 @@ void VolumeFiles::write(const Simulation3& all, const Shown& shown, const Stream
   const auto light = simulation.light(streams.stages());
   const std::vector<std::string>& channels = simulation.radiosities()->channel_names;
   seconds["illumination"] += light->seconds;
+  note_cells_without_light(grid_.name, light->values, streams);
   write_numbers(*light, channels);
   write_vtk(*light, channels, all.scene());
   if (shown_) write_shown(shown_at_points(shown, lights_around(*light), channels));

@@ -9,9 +9,10 @@ namespace hottel {
 
 void refuse_promise(const SceneTable& scene, const Element& element, std::optional<double> factor) {
   const Surface& surface = scene.surfaces[element.surface];
-  throw RequestError(fmt::format("{}: the scene promises to be closed, but the front of '{}' sees the sky{}",
-                                 place_of(scene, surface).text(), element.name,
-                                 factor ? fmt::format(" (F = {})", shortest(*factor)) : ""));
+  throw RequestError(fmt::format(
+      "{}: the scene promises to be closed, but the front of '{}' sees the sky{}; `hottel check` tells where it is "
+      "open",
+      place_of(scene, surface).text(), element.name, factor ? fmt::format(" (F = {})", shortest(*factor)) : ""));
 }
 
 namespace {

@@ -16,7 +16,8 @@
 namespace hottel {
 
 // The way from an element down to a node of the tree under it: one digit a level, 0 or 1 in the plane (the half with
-// the first or the second point), 0 to 3 in space.
+// the first or the second point), 0 to 3 in space: c is the quarter of a quad at its corner c, the part of a triangle
+// at its corner c, and 3 the middle one of a triangle.
 //
 //   (1) ordered as the nodes are met from left to right, a node before those under it
 //   (2) at most kMostLevels digits
@@ -66,7 +67,7 @@ struct ElementId {
 
 // The leaves of both faces of a surface, ascending; of a face that has none every equal part is one.
 //
-//   (1) the leaves of a face that has any share nothing, and together they are the face: is_whole()
+//   (1) the leaves of a face that has any share nothing, and together they are the face: are_whole()
 struct SurfaceTrees {
   std::vector<TreeNode> front{}, back{};
 

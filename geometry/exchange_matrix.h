@@ -32,7 +32,8 @@ namespace hottel {
 //   (5) only elements with a material and an area have a row; pairs that exchange nothing have no entry. Conversely,
 //       a pair without an entry provably exchanges nothing, unless all entries are estimated, or its row was not chosen
 //       (ExchangeRequest::rows): such a row is empty, and says nothing
-//   (6) where has_closed_rows(), the real factors of each row sum to 1, the sky included
+//   (6) where guarantee() is kExact or has_closed_rows(), the real factors of each row that was chosen sum to 1 with
+//       that of the sky
 //   (7) rows are compressed: entry k of row i stands at begins()[i] + k of columns(), factors(), visibilities(), and of
 //       measures, bounds and guarantees if the matrix has these
 // COST: 20 bytes per entry, two entries per visible pair of elements with materials. Each entry takes 1 byte more if
@@ -76,8 +77,8 @@ class ExchangeMatrix {
             entries_.sides_.empty() ? nullptr : entries_.sides_.data() + b, entries_.visibilities_.data() + b,
             begin_[i + 1] - b};
   }
-  // True iff promise_closed_rows() was called: the maker of the matrix promises (6). Exact factors need no promise: the
-  // real numbers that they round sum to 1 in any case.
+  // True iff promise_closed_rows() was called: the maker of the matrix promises (6). False of exact matrices too, which
+  // need no promise.
   bool has_closed_rows() const { return has_closed_rows_; }
   void promise_closed_rows() { has_closed_rows_ = true; }
   std::size_t entry_count() const { return entries_.size(); }

@@ -75,8 +75,8 @@ struct ExchangeRequest {
   // What S may be off, relative to the smaller of both areas, where a method can choose. Those of the plane cannot: the
   // exact one rounds correctly, the others are as good as they are.
   double tolerance = 1e-9;
-  // Whether bounds of all pairs are to be as narrow as the tolerance, where that can be proven, by the exact method in
-  // space: other numbers are the same but where they are told better so.
+  // Whether the exact method in space proves bounds for every pair, as narrow as the tolerance where it can. It changes
+  // a factor only where that lay outside of its bounds, or could not be measured otherwise.
   bool proves = false;
   SkyBy sky = SkyBy::kIntegral;  // of the exact method in space; that of the plane is exact
   // The rows that are computed by the exact methods: all others have no entries. Methods that are not exact compute

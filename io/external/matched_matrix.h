@@ -24,8 +24,7 @@ namespace hottel {
 // rescaled or symmetrised. Notes say so.
 //
 //   (1) a list of pairs has the rows of the faces that it names as `from`, and the columns of all faces with a
-//   material;
-//       those of black faces and of the sky where it names them as `to`
+//       material; those of black faces and of the sky where it names them as `to`
 //   (2) other files have all rows
 //
 // Throws InputError for names that the scene does not have or the file lacks, and sizes that do not fit.

@@ -167,8 +167,10 @@ OutputFolder::OutputFolder(const std::filesystem::path& folder) {
   for (std::filesystem::path path = folder; !path.empty() && !std::filesystem::exists(path); path = path.parent_path())
     missing.push_back(path);
   for (auto path = missing.rbegin(); path != missing.rend(); ++path)
-    if (std::filesystem::create_directory(*path))
+    if (std::error_code error; std::filesystem::create_directory(*path, error))
       made_.emplace_back(*path, PendingRemoval(path->string(), Removal::kEmptyFolder));
+    else if (error)
+      throw OutputError(path->string(), "this folder cannot be made: " + error.message());
   if (!std::filesystem::is_directory(folder)) throw OutputError(folder.string(), "is a file, not a folder");
 }
 

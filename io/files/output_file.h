@@ -93,7 +93,7 @@ void write_output_file(const std::filesystem::path& file, std::string_view bytes
 //   (2) a folder that was there before stays
 class OutputFolder {
  public:
-  // Throws OutputError, or std::filesystem::filesystem_error, when it cannot be made, or is a file.
+  // Throws OutputError when it cannot be made, or is a file.
   explicit OutputFolder(const std::filesystem::path& folder);
   OutputFolder(OutputFolder&&) noexcept = default;
   OutputFolder& operator=(OutputFolder&&) = delete;

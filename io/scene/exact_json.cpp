@@ -1,6 +1,9 @@
 #include "io/scene/exact_json.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -41,7 +44,11 @@ struct Cursor {
 class JsonBuilder {
  public:
   JsonBuilder(std::string_view text, JsonDocument& document)
-      : document_(document), counted_(text.data()), reached_(text.data()), end_(text.data() + text.size()) {
+      : document_(document),
+        begin_(text.data()),
+        counted_(text.data()),
+        reached_(text.data()),
+        end_(text.data() + text.size()) {
     document_.nodes_.reserve(text.size() / 6 + 1);
     document_.texts_.reserve(text.size());
   }
@@ -84,10 +91,44 @@ class JsonBuilder {
     std::string text = error.what();
     if (const auto reason = text.find(" - "); reason != std::string::npos) text.erase(0, reason + 3);
     text.erase(std::min(text.find("; last read: "), text.size()));
+    if (text.starts_with("unexpected ']'") || text.starts_with("unexpected '}'")) {
+      if (is_after_comma()) text = fmt::format("a comma stands before {} with nothing after it", text.substr(11, 3));
+    } else if (text.starts_with("invalid literal") || text.starts_with("invalid number")) {
+      const std::string token = last_token();
+      if (!token.empty())
+        refuse("this is not JSON: " + quoted_name(token) + " is not understood", token_hints(token[0]));
+    }
     refuse("this is not JSON: " + text);
   }
 
  private:
+  // Whether a comma is the last before the character that was read last.
+  bool is_after_comma() const {
+    const char* at = reached_ - 1;
+    while (at > begin_ && std::isspace(static_cast<unsigned char>(at[-1])) != 0) --at;
+    return at > begin_ && at[-1] == ',';
+  }
+
+  // What stands, without blanks, at the character that was read last, or ends before it.
+  std::string last_token() const {
+    const auto is_inside = [](char c) {
+      return static_cast<unsigned char>(c) > ' ' && std::string_view("[]{},:\"").find(c) == std::string_view::npos;
+    };
+    const char* first = reached_ - 1;
+    if (!is_inside(*first) && first > begin_) --first;
+    const char* last = first;
+    while (first > begin_ && is_inside(first[-1])) --first;
+    while (last < end_ && is_inside(*last)) ++last;
+    return first < last ? std::string(first, last) : "";
+  }
+
+  static std::vector<std::string> token_hints(char first) {
+    if (first == '/' || first == '#') return {"JSON has no comments; \"about\": \"...\" holds text for people"};
+    if (first == '.' || first == '+' || first == '-' || (first >= '0' && first <= '9'))
+      return {"numbers are written like 12, -0.1, 2.5e-3 or \"4/3\", with a digit before the point"};
+    return {"texts stand in double quotes; without them there are numbers, true and false"};
+  }
+
   [[noreturn]] void refuse(const std::string& text, std::vector<std::string> hints = {}) {
     throw InputError({document_.name_, static_cast<int>(line())}, text, std::move(hints));
   }
@@ -155,7 +196,8 @@ class JsonBuilder {
 
   JsonDocument& document_;
   std::vector<std::uint32_t> open_;  // the lists and objects that are not closed yet
-  const char* counted_;              // newlines before this are counted
+  const char* begin_;
+  const char* counted_;  // newlines before this are counted
   const char* reached_;
   const char* end_;
   std::uint32_t newlines_ = 0;

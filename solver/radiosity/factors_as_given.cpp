@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "kernel/support/counted.h"
 #include "kernel/support/failure.h"
 #include "solver/radiosity/channel_result.h"
 #include "solver/radiosity/system_solver.h"
@@ -58,21 +59,19 @@ void require_solution(const RadiositySystem& system, const std::vector<char>& is
   for (std::size_t c = 0; c < is_lit.size(); ++c) {
     const SystemComponent& component = system.components()[c];
     if (component.loses) continue;
-    const std::string& name = system.matrix().elements()[component.first_element].name;
+    const std::string reflectors =
+        fmt::format("'{}' and what it exchanges light with ({} in all)",
+                    system.matrix().elements()[component.first_element].name, counted(component.size, "element"));
     if (is_lit[c] && has_given_fluxes)
       throw RequestError(
-          fmt::format("no temperatures: '{}' and what it exchanges light with ({} in all) reflect all light or have a "
-                      "given net flux and let none out: give one of them a temperature, or open a way out",
-                      name, component.size));
+          "no temperatures: " + reflectors +
+          " reflect all light or have a given net flux and let none out: give one of them a temperature, or open a way "
+          "out");
     if (is_lit[c])
       throw RequestError(
-          fmt::format("no radiosity: '{}' and what it exchanges light with ({} in all) reflect all "
-                      "light, let none out, and emit",
-                      name, component.size));
-    notes.insert(
-        fmt::format("'{}' and what it exchanges light with ({} in all) reflect all light, let none out and "
-                    "do not emit: radiosity is 0, the limit",
-                    name, component.size));
+          "no radiosity: " + reflectors +
+          " reflect all light, let none out, and emit: give one of them a reflectivity below 1, or open a way out");
+    notes.insert(reflectors + " reflect all light, let none out and do not emit: radiosity is 0, the limit");
   }
 }
 

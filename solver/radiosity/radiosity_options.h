@@ -45,7 +45,8 @@ struct RadiosityOptions {
 
 // How it is decided which elements the light of a point light or a beam reaches.
 // kExact: what the light sees, cut at borders of beams and shadows: shares within proven bounds.
-// The others look at a few points of each element, as old programs do, and cut nothing: estimates, to compare with.
+// The others look at a few points of each element, as old programs do, and cut nothing: estimates, to compare with, of
+// Phi, the power that arrives at an element of area A (in the plane, of length A).
 // With G = I0 cos^n t cos u / r^(d-1) at the centroid: I0 the intensity on the axis, n the exponent of the beam, t the
 // angle from the axis, u the angle between the normal of the element and the way to the light, r the distance, d the
 // dimension:

@@ -44,6 +44,30 @@ std::string cube(int x, bool is_inward) {
   return text;
 }
 
+// Exit code 2, and the file is as it was.
+TEST(FoundFiles, AnOutputDoesNotTakeThePlaceOfWhatIsRead) {
+  const Workplace place;
+  const std::string room = std::string(HOTTEL_SOURCE_DIR) + "/tests/contract/box.json";
+  place.write("p.csv", "1,1\n");
+  ASSERT_EQ(place.run("hottel factors " + room + " --quiet -o f.csv").code, 0);
+  place.write("box.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  place.write("s.json", R"({"hottel": 1, "dimension": 3, "materials": {"m": {}},
+    "mesh": {"file": "box.obj", "material": "m"}})");
+  const auto expect_refused = [&](const std::string& line, const std::string& file, const std::string& told) {
+    const std::string before = place.read(file);
+    const Outcome outcome = place.run(line);
+    EXPECT_EQ(outcome.code, 2) << line;
+    EXPECT_THAT(outcome.err, HasSubstr(told + ": give the output another name"));
+    EXPECT_EQ(place.read(file), before);
+  };
+  expect_refused("hottel visibility " + room + " --points p.csv -o p.csv", "p.csv",
+                 "-o p.csv is a file that --points reads");
+  expect_refused("hottel factors " + room + " --method file:f.csv -o ./f.csv", "f.csv",
+                 "-o ./f.csv is a file that --method reads");
+  expect_refused("hottel convert s.json box.obj", "box.obj", "OUT box.obj is a file that s.json reads");
+  EXPECT_EQ(place.run("hottel convert s.json s.json").code, 0);  // a scene may be rewritten in its place
+}
+
 // Wall of 4 x 4 less a hole of 2 x 2 in its middle, which a lid 2 above looks at. The factor to all of the wall less
 // that to the hole, each by the closed form of View3D's handbook for parallel rectangles.
 constexpr double kLidToWall = 0.31782818381715;

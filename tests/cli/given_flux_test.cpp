@@ -118,7 +118,7 @@ TEST(GivenFlux, RoomThatLosesNothingIsRefusedBalancedOrNot) {
     EXPECT_EQ(outcome.code, 1);
     EXPECT_THAT(outcome.err,
                 AllOf(HasSubstr("room.json"), HasSubstr("no temperatures: 's1' and what it exchanges light "
-                                                        "with (3 in all)")));
+                                                        "with (3 elements in all)")));
     EXPECT_FALSE(std::filesystem::exists(place.path("out/radiosity.csv")));
     const Outcome check = place.run("hottel check room.json");
     EXPECT_EQ(check.code, 1);

@@ -473,6 +473,14 @@ TEST(Solve, SaysThatNothingEndsOnFacesWithoutLights) {
   EXPECT_THAT(outcome.err, HasSubstr("--light-levels changes nothing: scene.json lists no lights\n"));
 }
 
+TEST(Solve, SaysThatNoCellOfAGridHasLight) {
+  const Workplace place;
+  place.write("scene.json",
+              square("{}", R"(, "closed": true, "grid": {"min": [5, 5], "max": [6, 6], "cells": [4, 4]})"));
+  EXPECT_THAT(place.run("hottel solve scene.json -o out --no-picture").err,
+              HasSubstr("no cell of the grid has light: all lie in solids, or outside of the closed scene\n"));
+}
+
 TEST(Plan, EstimatesAreThoseOfTheMachineWhichIsMeasuredOnce) {
   const Workplace place;
   place.write("s.json", contents(std::string(HOTTEL_SOURCE_DIR) + "/scenes/analytic/furnace.json"));

@@ -196,7 +196,13 @@ TEST(SceneJson, RefusesWhatIsNotJson) {
               StartsWith("scene.json:2: this is not JSON"));
   EXPECT_THAT(refusal(scene_with("\"sky\": {\"emission\": NaN}")), StartsWith("scene.json:3: this is not JSON"));
   EXPECT_THAT(refusal(scene_with("\"about\": \"\xC3\x28\"")), StartsWith("scene.json:3: this is not JSON"));
-  EXPECT_THAT(refusal(scene_with("// no comments\n\"closed\": true")), StartsWith("scene.json:3: this is not JSON"));
+  EXPECT_EQ(refusal(scene_with("// no comments\n\"closed\": true")),
+            "scene.json:3: this is not JSON: '//' is not understood");
+  EXPECT_EQ(refusal("{\"hottel\": 0x10}"), "scene.json:1: this is not JSON: '0x10' is not understood");
+  EXPECT_EQ(refusal("{'hottel': 1}"), "scene.json:1: this is not JSON: ''hottel'' is not understood");
+  EXPECT_EQ(refusal("{\"hottel\": .5}"), "scene.json:1: this is not JSON: '.5' is not understood");
+  EXPECT_EQ(refusal("{\"hottel\": 1, \"edges\": [\n1,\n]}"),
+            "scene.json:3: this is not JSON: a comma stands before ']' with nothing after it");
   EXPECT_EQ(refusal("5"), "scene.json:1: the scene must be an object, not a number");
   EXPECT_EQ(refusal("\n[]"), "scene.json:2: the scene must be an object, not a list");
 }

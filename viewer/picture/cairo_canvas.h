@@ -18,8 +18,7 @@ namespace hottel {
 //
 //   (1) the same calls give the same bytes on one machine; fonts may differ on others
 //   (2) an SVG and a PDF hold shapes, texts as text that can be searched and edited, and their images as pixels; the
-//   size
-//       of an SVG in pixels is that of the canvas, and a PDF is one page on which a pixel is 3/4 point
+//       size of an SVG in pixels is that of the canvas, and a PDF is one page on which a pixel is 3/4 point
 //   (3) a polygon of fewer than three corners and an image without pixels draw nothing
 //   (4) a PNG holds what the same calls draw into an opaque black raster
 //

@@ -39,8 +39,7 @@ inline constexpr int kCuts = 4;
 // Returns the scale of values.
 //
 //   (1) its ends are the least and the greatest value. An end is cut to the value beyond which lies k times kCutShare
-//   of
-//       the area or less, where what is cut off is more than k times as long as all from there to the value beyond
+//       of the area or less, where what is cut off is more than k times as long as all from there to the value beyond
 //       which lies kCutShare at the other end, for the least k from 1 to kCuts with which it is: lamps do not flatten a
 //       room, the larger they are the more they must stand out, and what has no lamp is shown whole
 //   (2) of what has a sign the ends are as far from 0: as the farthest value, or cut by the same rule of distances

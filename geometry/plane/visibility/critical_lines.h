@@ -40,8 +40,7 @@ struct CriticalLine2 {
 //   (3) in the order of vertices, and of what each sees counter-clockwise
 //   (4) between `behind.end` and `ahead.end` the line crosses no piece
 //   (5) an eye that crosses the line close to a vertex, beyond it, sees both vertices change places: what it sees
-//   between
-//       them is seen_from_left on the left of the line, and seen_from_right on the right
+//       between them is seen_from_left on the left of the line, and seen_from_right on the right
 //
 // Lines through three or more vertices have an entry for each two that follow each other.
 // Throws what progress throws, of the fraction done; Interrupted soon after a stop was asked for.

@@ -31,8 +31,7 @@ struct VisiblePair2 {
 // Visits the pairs of vertices of a scene that see each other.
 //
 //   (1) exact: two vertices see each other iff the open segment between them meets no surface and runs in no solid, or
-//   a
-//       piece joins them of which a side looks into the open
+//       a piece joins them of which a side looks into the open
 //   (2) so of several vertices on a line only those that follow each other may see each other, whatever stands at the
 //       one between; a vertex in the interior of a solid sees none, one on its border all but what lies through it
 //   (3) each pair once, v < w; ascending by v, then by w; the same for any number of threads

@@ -56,14 +56,12 @@ enum class HasTrees3 : bool { kNo, kYes };
 //   (1) a quad: n x n elements by equal parts of its sides; row by row from its first point, along its first side first
 //   (2) a triangle: n^2 similar ones, in rows from its first side; in a row up, down, up, ...
 //   (3) n = 1: the polygon itself, whatever its corners, unless it has trees; else all elements of the first triangle
-//   of
-//       a fan come first
+//       of a fan come first
 //   (4) corner c of an element lies at c / weight(): exactly. Corners go around as the polygon does; no three in a row
 //       are on one line (of a quad that is a triangle one element is, too)
 //   (5) the elements share no area, and together they are the polygon
-//   (6) a node of a tree has four children: of a quad by halves of its sides, digit c with corner c, which is its
-//   corner
-//       c; of a triangle by the middles of its sides, digit c with corner c, and 3 the middle one, turned by half a
+//   (6) a node of a tree has four children: of a quad by halves of its sides, digit c at corner c, which is its own
+//       corner c; of a triangle by the middles of its sides, digit c at corner c, and 3 in the middle, turned by half a
 //       turn. Those of one depth are what elements by 2^depth are
 class PolygonDivision3 {
  public:

@@ -8,8 +8,7 @@ namespace hottel {
 // Returns where a light is, and where it shines, after some seconds; it does not move from there.
 //
 //   (1) its axis is Rz Ry Rx direction, each angle rotation * time within a turn, exactly; rounded to doubles, and
-//   exact
-//       from there. After whole turns it is the direction again
+//       exact from there. After whole turns it is the direction again
 //   (2) on a path its position is rounded to doubles (place_on_path), and exact from there
 LightPlace3 place_after(const LightPlace3& place, const Rational& time);
 

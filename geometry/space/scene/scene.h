@@ -38,8 +38,8 @@ struct Mask3 {
   friend bool operator==(const Mask3&, const Mask3&) = default;
 };
 
-// A path along which a light moves from point to point at constant speed; to its end it takes `seconds`. A closed path
-// leads back to its first point, and begins anew.
+// A path along which a light moves from point to point at constant speed, once in `seconds`; then it stays at the last
+// point. A closed path leads back to its first point within `seconds`, and begins anew.
 struct LightPath3 {
   std::vector<Point3> points;  // two at least, not all the same
   Rational seconds = 1;        // above 0

@@ -23,9 +23,8 @@ namespace hottel {
 //   (3) where the scene has temperatures to tell: temperature [K], of two bands that of the thermal one, by channel
 //       else, and has_temperature; 0 where an element has none
 //   (4) line 2 + id n + c of radiosity.csv, the first being 1, is of the cell's element and channel c of n. So each
-//   cell
-//       belongs to one line a channel; several cells to one where an element is made of several patches. An element
-//       that is nothing but a mask has lines and no cell
+//       cell belongs to one line a channel; several cells to one where an element is made of several patches. An
+//       element that is nothing but a mask has lines and no cell
 //   (5) corners are the nearest doubles, counter-clockwise seen from the side that the element is on; patches share
 //       none
 //

@@ -30,8 +30,7 @@ bool is_svg_2(const std::filesystem::path& file);
 //       is the material of the back. data-on is the name of what an element is a patch on (NAME or NAME:back).
 //       data-material, data-back, data-front, data-on and class hold for everything in a group
 //   (5) a point that repeats the one before, or of a closed run the first, is passed over, and counted; so is a run
-//   that
-//       has one point left, unless nothing else is drawn
+//       that has one point left, unless nothing else is drawn
 //   (6) nothing else is dropped: what cannot be read exactly (curves, text, images, <use>, rounded corners, hidden or
 //       clipped elements, rotations other than quarter turns, lengths with units), styles that hide, move or resize
 //       (svg_style.h), data- keys other than those above, scripts, and references to entities are refused at their

@@ -19,8 +19,7 @@ struct WrittenMesh3 {
 // Returns a scene as a mesh: PLY and OFF as text, STL binary. `library` is the name of the MTL file for OBJ.
 //
 //   (1) the faces are those of the scene, in its order, with the same fronts; STL has triangles, so faces of more
-//   points
-//       are cut into them, at their own points. Equal points are written once, but in STL
+//       points are cut into them, at their own points. Equal points are written once, but in STL
 //   (2) a coordinate that is a decimal is written exactly (but in STL): who reads exactly reads it back. Others are
 //       rounded to the nearest double; in STL all are rounded to the nearest float. Where that changes a value, a note
 //       tells how many, which one most and by how much, and which polygons are none any more

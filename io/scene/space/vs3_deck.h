@@ -48,12 +48,10 @@ struct Vs3Deck3 {
 //
 //   (1) coordinates, lengths and emittances are exact
 //   (2) records are numbered from 1 on without a gap, obstructions last; emittances are from 0 to 1; a name is one that
-//   a
-//       surface may have (name_problem). A polygon has three or four points and may be none yet (polygon_problem); what
-//       base and combined_with point to is not looked at
+//       a surface may have (name_problem). A polygon has three or four points and may be none yet (polygon_problem);
+//       what base and combined_with point to is not looked at
 //   (3) azimuths and tilts that are multiples of 90 degrees are exact; others are turned into ones with rational sine
-//   and
-//       cosine, less than 3e-16 radians away, so that quadrilaterals are exactly plane and rectangles exactly those
+//       and cosine, less than 3e-16 radians away, so that quadrilaterals are exactly plane and rectangles exactly those
 //
 // Throws InputError with file and line for everything that it does not read, unknown letters and controls included.
 // COST: linear.

@@ -12,11 +12,9 @@ namespace hottel {
 // Goes through a deck, one statement after another, and through the words of each.
 //
 //   (1) words stand between blanks, tabs and commas; what follows a '!' at the beginning of a word is a comment, as is
-//   a
-//       line that begins with '/'. Lines end in LF, CR LF or CR
+//       a line that begins with '/'. Lines end in LF, CR LF or CR
 //   (2) a statement is a line with a word, and its letter the first of that word, whatever its case and whatever
-//   follows:
-//       "End", "e" and "E" are one. Words that nobody asks for are comments
+//       follows: "End", "e" and "E" are one. Words that nobody asks for are comments
 //   (3) the deck ends at a line that begins with '*', after a line whose letter is E, and at the end of the text
 //
 // Every function throws InputError with the file and the line it is at.

@@ -17,15 +17,13 @@ struct WrittenVs3Deck3 {
 // Returns a scene as a deck of the form `F 3`.
 //
 //   (1) records are in the order of the scene, a back with a material right after its front, as a surface NAME-back
-//   that
-//       looks the other way; obstructions come last. So View3D's rows are those of `hottel factors`
+//       that looks the other way; obstructions come last. So View3D's rows are those of `hottel factors`
 //   (2) where later polygons fill all holes of one, facing its way, it is their base and has no holes; an obstruction
 //       that fills one is an N record. Any other polygon of more than four corners, or with holes, is several records,
 //       combined with the first
 //   (3) combines_groups: those of a group are combined with its first one, which is called after it, and so are backs
 //   (4) coordinates and emittances that are short decimals are exact, others are rounded to the nearest double.
-//   Emittance
-//       is 1 - reflectivity, the mean of the channels where they differ
+//       Emittance is 1 - reflectivity, the mean of the channels where they differ
 //   (5) what View3D would take for the end of a name is '_' in it
 //   (6) a scene that is promised to be closed has encl=1
 //   (7) polygons are as listed: overlaps are not settled, and solids cover nothing

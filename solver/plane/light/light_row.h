@@ -22,8 +22,7 @@ enum class Blacks2 : bool { kLeftOut, kListed };
 //   (1) entries are in counter-clockwise order where the point is on no edge; what is seen in several places has as
 //       many entries. Neighbouring steps of one element are one entry as long as they stay within half a turn
 //   (2) fractions are not negative. With blacks listed they sum to 1 but for rounding; where they are left out all
-//   other
-//       entries are the same doubles
+//       other entries are the same doubles
 //   (3) a point in a solid, in the interior of the union of all, has no entries
 struct LightRow2 {
   std::span<const std::uint32_t> columns;

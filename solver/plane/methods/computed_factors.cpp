@@ -21,8 +21,7 @@ ComputedFactors2 factors_by(const ExchangeMethod2& method, const PreparedScene2&
         fmt::format("{}: {}{}", prepared.scene.file, is_exact ? "" : "the method " + info.name + ": ", error.what()));
   }
   if (!is_exact)
-    result.report.notes.insert(result.report.notes.begin(),
-                               method_sentence(info, result.matrix, result.report));
+    result.report.notes.insert(result.report.notes.begin(), method_sentence(info, result.matrix, result.report));
   return result;
 }
 

@@ -53,10 +53,11 @@ struct PointLight2 {
 // and a broken promise included, why_none is its text, and the lists are empty. COST: the radiosities, if they are not
 // computed yet, and point location.
 PointLight2 light_at(const Simulation2& simulation, const Point2& point, const StageProgress& progress = {});
-// The same for a caller who knows already what the point sees.
+// The same for a caller who knows already what the point sees. For the program: no installed header has the type.
 PointLight2 light_at(const Simulation2& simulation, const VisibilityPolygon2& seen, const StageProgress& progress = {});
 
-// The same for many points: PointLights2 of this simulation. Throws RequestError where there is no solution.
+// The same for many points: PointLights2 of this simulation. Throws RequestError where there is no solution. For the
+// program: no installed header has the type.
 PointLights2 point_lights(const Simulation2& simulation, const StageProgress& progress = {});
 
 }  // namespace hottel

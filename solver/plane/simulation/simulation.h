@@ -99,11 +99,11 @@ struct SimulationRequest2 {
 //
 //   (1) a stage is dropped by an edit iff its input changed, directly or in a stage before it:
 //         arrangement   edges, surfaces, groups, names, which materials act alike; whether elements are told apart
-//         factors       method, granularity, visibilities and measures, `everything`, memory
+//         factors       method, granularity, choice of rows, visibilities, measures, `everything`, memory, store
 //         system        reflectivities; solver, iterations, until
 //         lights        their places, directions and beams, and the test of what they light, after the arrangement
 //         radiosities   emissions, that of the sky, the power of lights, the promise `closed`
-//         rows          grid, memory: what the cells see (light_rows.h), after the arrangement
+//         rows          grid, granularity, memory: what the cells see (light_rows.h), after the arrangement
 //         light         grid, kind of light. Made from rows where they are kept: the same bits
 //         picture       painter
 //         dividing      only what changes the radiosities

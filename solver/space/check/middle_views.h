@@ -12,8 +12,7 @@ namespace hottel {
 //
 //   (1) at most `most` faces have entries: every k-th of those with an area, for the least k
 //   (2) what such a face has an entry for is seen from a part of it; the sky only where its factor is above
-//   kCertainSky3,
-//       more than maps may be off. Others may be seen too, from elsewhere on it
+//       kCertainSky3, more than maps may be off. Others may be seen too, from elsewhere on it
 // COST: a map (map_from) a face.
 inline constexpr double kCertainSky3 = 1e-11;
 ExchangeMatrix middle_views(const PreparedScene3& prepared, std::size_t most);

@@ -16,8 +16,7 @@ namespace hottel {
 // table.count(), in the order in which they are found, each with the fraction of all directions that it has.
 //
 //   (1) the mean irradiance of illuminate_points() is that matrix times the radiosities, the sky's emission last, but
-//   for
-//       rounding, and but for what lights add
+//       for rounding, and but for what lights add
 //   (2) a row sums to 1 but for rounding; it is empty where the centre is in a solid
 //   (3) the same bits for any number of threads
 //

@@ -37,8 +37,7 @@ std::optional<LightHold> pick_light(const Scene2& scene, const Place2& place, do
 //   (1) a light takes its path along
 //   (2) an axis goes to the direction of that place, exactly; where that is the light's own place nothing changes
 //   (3) a border makes the focus the angle between the axis and that place: in whole degrees, 1 at least, and 180, or
-//   90
-//       where the light falls off, at most
+//       90 where the light falls off, at most
 Scene2 drag_light(const Scene2& scene, const LightHold& hold, const Place2& to, int decimals);
 
 Scene2 move_light(const Scene2& scene, std::uint32_t light, const Rational& dx, const Rational& dy);

@@ -40,8 +40,7 @@ class Snapper2 {
   //
   //   (1) an end within reach wins, the nearest: the result is that point
   //   (2) else an edge within reach, the nearest: the result lies exactly on it, ends included. On an edge along an
-  //   axis
-  //       the other coordinate has the decimals, as far as the edge goes; on a slanted one the place is `from` + t
+  //       axis the other coordinate has the decimals, as far as the edge goes; on a slanted one the place is `from` + t
   //       (`to` - `from`) with a decimal t, so that edges between decimals have decimals again. t has as many digits as
   //       make its steps at most those of the decimals, and one at least
   //   (3) else both coordinates are rounded to the decimals (rounded_decimal)

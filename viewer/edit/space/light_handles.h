@@ -38,8 +38,7 @@ std::optional<LightHold> pick_light(const Scene3& scene, const Pointer3& pointer
 //   (1) a light moves in the plane through it that is parallel to the picture, or along x, y or z: that of them which
 //       is seen to go most the same way. It takes its path along
 //   (2) coordinates are short decimals, finer than a pixel (decimals_at); one that changes by less than half of the
-//   last
-//       of them stays, with all digits that it has
+//       last of them stays, with all digits that it has
 //   (3) an axis points at pointer.aim, exactly at a place rounded as in (2). Without one its end stays under the mouse,
 //       on the sphere of its handle: on the side, nearer or farther than the light, on which it is, and at the rim
 //       where the mouse is beyond. Its direction is rounded to kDragDecimals
