@@ -26,6 +26,7 @@ nlohmann::ordered_json gray_json(const GrayReport& report) {
 }
 
 std::string gray_text(const GrayReport& report) {
+  if (report.pairs == 0) return "script-F of no pair: no two faces that absorb heat exchange any";
   const std::string proven =
       report.guarantee == Guarantee::kEstimated
           ? "as good as the view factors, some of which are estimated"

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <vector>
 
 #include "geometry/name.h"
 #include "geometry/plane/check/openings.h"
@@ -67,6 +69,27 @@ std::string sky_text(const Scene2& scene, const ExchangeMatrix& matrix, const st
                      quoted_name(matrix.elements()[most].name), factor);
 }
 
+// The end of a surface that goes on at its other end only.
+struct LooseEnd {
+  std::uint32_t surface;
+  Point2 at;
+};
+
+// The first of these surfaces. REQUIRES an arrangement that is not divided.
+std::optional<LooseEnd> loose_end(const PreparedScene2& prepared, const std::vector<std::uint32_t>& surfaces) {
+  const Arrangement2& arrangement = prepared.arrangement;
+  std::vector<std::uint32_t> pieces(arrangement.vertices().size(), 0);
+  for (const Segment2& piece : arrangement.pieces())
+    for (const VertexId end : {piece.a, piece.b}) ++pieces[end.index()];
+  for (const std::uint32_t s : surfaces) {
+    const Edge2& edge = prepared.scene.edges[s];
+    const Segment2& segment = arrangement.segment(s);
+    const bool begins_alone = pieces[segment.a.index()] == 1, ends_alone = pieces[segment.b.index()] == 1;
+    if (begins_alone != ends_alone) return LooseEnd{s, begins_alone ? edge.from : edge.to};
+  }
+  return std::nullopt;
+}
+
 void tell_open(const PreparedScene2& prepared, const ExchangeMatrix& matrix, Findings2& findings) {
   const Scene2& scene = prepared.scene;
   const Openings2 openings(prepared.arrangement);
@@ -80,6 +103,10 @@ void tell_open(const PreparedScene2& prepared, const ExchangeMatrix& matrix, Fin
       at = middle(gap->from, gap->to);
       text += fmt::format(" through the opening from {} to {}, {} wide", place_text(gap->from), place_text(gap->to),
                           length_text(squared_distance(gap->from, gap->to)));
+    } else if (const auto end = loose_end(prepared, surfaces)) {
+      at = end->at;
+      text += fmt::format("; the end of {} at {} touches nothing", quoted_name(scene.surfaces[end->surface].name),
+                          place_text(end->at));
     }
     if (scene.closed)
       findings.push_back({Severity::kError, "not-closed", surfaces, at, "the scene promises to be closed, but " + text,

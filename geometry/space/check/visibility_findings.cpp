@@ -112,12 +112,11 @@ class SightTeller {
     if (meshes_.leak) {
       at = meshes_.leak->at;
       text += "; " + meshes_.leak->text;
-    } else if (!meshes_.bare.empty()) {
-      const EdgeStretch3& edge = meshes_.bare.front();
-      at = middle(edge.from, edge.to);
+    } else if (const EdgeStretch3* edge = bare_edge_of(surfaces)) {
+      at = middle(edge->from, edge->to);
       text += fmt::format("; {} of {} from {} to {} lies on nothing", meshes_.bare.size() == 1 ? "the edge" : "an edge",
-                          quoted_name(scene_.surfaces[edge.uses.front().surface].name), place_text(edge.from),
-                          place_text(edge.to));
+                          quoted_name(scene_.surfaces[edge->uses.front().surface].name), place_text(edge->from),
+                          place_text(edge->to));
     }
     if (scene_.closed)
       findings_.push_back({Severity::kError, "not-closed", std::move(surfaces), at,
@@ -127,6 +126,14 @@ class SightTeller {
     else
       findings_.push_back({Severity::kNote, "opening", std::move(surfaces), at, text,
                            "if the room should be closed, close it, and promise it: \"closed\": true"});
+  }
+
+  // An edge that lies on nothing, of one of these; null where there is none. What hangs free in a room has such edges
+  // too, and is not where it is open.
+  const EdgeStretch3* bare_edge_of(const Surfaces& surfaces) const {
+    for (const EdgeStretch3& edge : meshes_.bare)
+      if (std::ranges::find(surfaces, edge.uses.front().surface) != surfaces.end()) return &edge;
+    return nullptr;
   }
 
   double sky(std::uint32_t face) const { return matrix_.factor(face, matrix_.sky()).value; }

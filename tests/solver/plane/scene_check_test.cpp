@@ -194,6 +194,8 @@ TEST(SceneCheck2, ABrokenPromiseToBeClosedIsAnError) {
   const Findings2 findings = found(scene);
   ASSERT_THAT(kinds(findings), ElementsAre("error not-closed"));
   EXPECT_THAT(names(scene, findings[0]), ElementsAre("lamp", "west", "north", "east"));
+  EXPECT_EQ(findings[0].at, (Point2{0, 0}));
+  EXPECT_THAT(findings[0].message, HasSubstr("; the end of 'west' at (0, 0) touches nothing"));
 }
 
 TEST(SceneCheck2, AnOpeningIsToldByWhatBoundsIt) {

@@ -63,6 +63,23 @@ TEST(SceneCheck3, APromiseThatIsBrokenIsAnError) {
   EXPECT_THAT(told_of(scene), Contains("note opening bottom front rear left right"));
 }
 
+// What hangs free has edges that lie on nothing, and is not where the room is open.
+TEST(SceneCheck3, APlateThatHangsFreeIsNotBlamedForAFloorUpsideDown) {
+  Scene3 scene = closed_room();
+  std::ranges::reverse(scene.polygons[0].points);
+  scene.add(
+      scene.surfaces[0],
+      {.points = {{q("1/4"), q("1/4"), q("3/4")}, {q("1/4"), q("1/2"), q("3/4")}, {q("1/2"), q("1/2"), q("3/4")}}});
+  scene.surfaces.back().name = "plate";
+  scene.surfaces.back().group = static_cast<std::uint32_t>(scene.groups.size());
+  scene.groups.push_back({"plate"});
+  const SceneCheck3 check = checked(scene);
+  ASSERT_FALSE(check.findings.empty());
+  EXPECT_EQ(check.findings[0].kind, "not-closed");
+  EXPECT_EQ(check.findings[0].at.z, 0);
+  EXPECT_EQ(check.findings[0].message.find("plate"), std::string::npos) << check.findings[0].message;
+}
+
 TEST(SceneCheck3, AnOpenSceneThatPromisesNothingIsFine) {
   Scene3 scene = unit_room();
   scene.surfaces.pop_back();
