@@ -32,12 +32,15 @@ std::vector<std::string> near_name_hints(std::string_view name, std::span<const 
 // A name was asked for that does not exist: a UsageError with hints below its line.
 //
 //   (1) what() is the text as it was given
-//   (2) hints() are near_name_hints of the known names: one or none
+//   (2) hints() are near_name_hints of the known names, or where none is near what there is, if that is told
 class UnknownName : public UsageError {
  public:
-  // Of the known names those near to `name` are offered.
-  UnknownName(const std::string& text, std::string_view name, std::span<const std::string> known)
-      : UsageError(text), hints_(near_name_hints(name, known)) {}
+  // Of the known names those near to `name` are offered. `there_is`: "its surfaces are 'wall' and 'door'", or empty.
+  UnknownName(const std::string& text, std::string_view name, std::span<const std::string> known,
+              const std::string& there_is = "")
+      : UsageError(text), hints_(near_name_hints(name, known)) {
+    if (hints_.empty() && !there_is.empty()) hints_.push_back(there_is);
+  }
   const std::vector<std::string>& hints() const { return hints_; }
 
  private:

@@ -4,6 +4,7 @@
 #include <locale.h>
 
 #include <algorithm>
+#include <numeric>
 #include <string_view>
 
 #include "geometry/name.h"
@@ -37,9 +38,12 @@ std::vector<std::string> beginnings(const SceneTable& scene) {
   return names;
 }
 
-}  // namespace
-
-namespace {
+// What there is of surfaces, for a message; empty where there is none.
+std::string surfaces_text(const SceneTable& scene) {
+  std::vector<std::uint32_t> all(scene.surfaces.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return all.empty() ? "" : "its surfaces are " + names_text(scene, all);
+}
 
 constexpr const char* kGlobCharacters = "*?[";
 
@@ -92,16 +96,19 @@ std::vector<std::uint32_t> surfaces_matching(const SceneTable& scene, const std:
   const bool is_glob = pattern.find_first_of(kGlobCharacters) != std::string::npos;
   if (found.empty() && is_glob) found = surfaces_described(scene, pattern);
   if (!found.empty()) return found;
-  const std::string text = "no surface of " + scene.file + " is called '" + pattern + "'";
-  if (is_prefix) throw UnknownName(text, pattern, beginnings(scene));
-  throw UnknownName(text, is_glob ? without_glob_characters(pattern) : pattern, names_of(scene, false));
+  const bool is_name = pattern.find_first_of("*?") == std::string::npos;
+  const std::string text = "no surface of " + scene.file + (is_name ? " is called '" : " fits '") + pattern + "'";
+  if (is_prefix) throw UnknownName(text, pattern, beginnings(scene), surfaces_text(scene));
+  throw UnknownName(text, is_glob ? without_glob_characters(pattern) : pattern, names_of(scene, false),
+                    surfaces_text(scene));
 }
 
 Face face_of(const SceneTable& scene, const std::string& name) {
   if (const auto surface = scene.find(name)) return {*surface, false};
   const SideName side = side_named(name);
   if (const auto surface = scene.find(side.name); surface && side.is_back) return {*surface, true};
-  throw UnknownName("no face of " + scene.file + " is called '" + name + "'", name, names_of(scene, true));
+  throw UnknownName("no face of " + scene.file + " is called '" + name + "'", name, names_of(scene, true),
+                    surfaces_text(scene));
 }
 
 std::string face_name(const SceneTable& scene, const Face& face) {

@@ -33,7 +33,7 @@ const Lookup kLookups[] = {
     {"toward", "factors rooms.json --picture p.png --toward wal", "no surface of rooms.json is called 'wal'",
      "did you mean 'wall'?"},
     {"toward_a_beginning", "factors rooms.json --picture p.png --toward 'windo*'", "", ""},
-    {"toward_no_beginning", "factors rooms.json --picture p.png --toward 'widnow*'", "is called 'widnow*'",
+    {"toward_no_beginning", "factors rooms.json --picture p.png --toward 'widnow*'", "fits 'widnow*'",
      "did you mean 'window*'?"},
     {"toward_the_sky", "factors rooms.json --picture p.png --toward skye", "is called 'skye'", "did you mean 'sky'?"},
     {"from", "visibility rooms.json --from window3 --to wall", "no face of rooms.json is called 'window3'",
@@ -58,7 +58,10 @@ const Lookup kLookups[] = {
     {"output_as_an_argument", "convert rooms.json -o new.json", "convert has no option '-o'",
      "where to write is an argument: hottel convert IN OUT"},
     {"output_of_none", "plan rooms.json -o plan.json", "plan has no option '-o'", nullptr},
-    {"nothing_near", "visibility rooms.json --from fluorescent --to wall", "is called 'fluorescent'", nullptr},
+    {"nothing_near", "visibility rooms.json --from fluorescent --to wall", "is called 'fluorescent'",
+     "its surfaces are 'wall', 'window1', 'window2' and 3 more"},
+    {"no_pattern_near", "factors rooms.json --rows 'fluo*t'", "no surface of rooms.json fits 'fluo*t'",
+     "its surfaces are 'wall', 'window1', 'window2' and 3 more"},
 };
 
 class UnknownNames : public testing::TestWithParam<Lookup> {};

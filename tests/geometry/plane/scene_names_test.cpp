@@ -83,6 +83,15 @@ TEST(SceneNames, UnknownNamesComeWithNearOnes) {
   EXPECT_THAT(hints_of([&] { surfaces_matching(scene, "windo3*"); }), ElementsAre("did you mean 'window*'?"));
 }
 
+TEST(SceneNames, WhereNoNameIsNearItIsToldWhichThereAre) {
+  const Scene2 scene = named_scene();
+  const auto all = ElementsAre("its surfaces are 'room[0]', 'room[1]' and 'window1'");
+  EXPECT_THAT(hints_of([&] { face_of(scene, "fluorescent"); }), all);
+  EXPECT_THAT(hints_of([&] { surfaces_matching(scene, "fluorescent"); }), all);
+  EXPECT_THAT(hints_of([&] { surfaces_matching(scene, "fluo*"); }), all);
+  EXPECT_THAT(hints_of([] { surfaces_matching(Scene2{}, "fluorescent"); }), ElementsAre());
+}
+
 TEST(Division2, PartsAreAsFewAsALengthAllows) {
   Scene2 scene = named_scene();
   EXPECT_EQ(divide_by_length(scene, Rational(5), 100), std::nullopt);
