@@ -283,7 +283,7 @@ LightEntry TableReader::read_light(const JsonValue& value, const std::string& de
   light.name = name ? read_string(name, {default_name, "name"}) : default_name;
   light.line = value.line();
   entry.owner = "light " + quoted_name(light.name);
-  require_member(type, "type", value, {entry.owner});
+  if (!type) refuse(value, entry.owner + " has no \"type\"", {R"(it may be "point", "spot" or "sun")"});
   const std::string kind = read_string(type, {entry.owner, "type"});
   if (kind != "point" && kind != "spot" && kind != "sun")
     refuse(type, entry.owner + ": type is " + quoted_name(kind) + R"(; it may be "point", "spot" or "sun")");
