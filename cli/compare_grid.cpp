@@ -35,10 +35,14 @@ void require_few_cells(const ExternalGrid& grid, std::uint32_t most) {
 }
 
 void require_channels(const ExternalGrid& grid, const RadiositySolution& solution) {
-  if (grid.channels == solution.channels.size()) return;
-  throw InputError({grid.file, 0},
-                   fmt::format("has {} a cell, and the light of the scene {}", counted(grid.channels, "value"),
-                               solution.channels.size() == 1 ? "one" : "three: r, g, b"));
+  const std::size_t channels = solution.channels.size();
+  if (grid.channels == channels) return;
+  const bool is_one = channels == 1;
+  throw InputError(
+      {grid.file, 0},
+      fmt::format("has {} a cell, and the light of the scene {}", counted(grid.channels, "value"),
+                  is_one ? "one" : fmt::format("{}: {}", channels, fmt::join(solution.channel_names, ", "))),
+      {fmt::format("its shape has to be ({}, {}{})", grid.ny, grid.nx, is_one ? "" : fmt::format(", {}", channels))});
 }
 
 JudgedGrid judged(const ExternalGrid& external, std::span<const double> exact, const RadiositySolution& solution,

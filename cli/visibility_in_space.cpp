@@ -68,7 +68,10 @@ Look3 look_from(const Scene3& scene, const std::string& text, const std::string&
   }
   if (polygon.is_nearly_plane && at.size() == 2) put_on_facet(polygon, eye);
   const std::optional<Polygon3> facet = facet_at(polygon, eye);
-  if (!facet) throw UsageError("--at " + text + " is no point of '" + on + "'");
+  if (!facet)
+    throw UsageError(
+        "--at " + text + " is no point of '" + on + "'" +
+        (at.size() == 3 ? "" : ": it is " + place_text(eye) + ", S along the first side, T along the last"));
   Vector3 normal = doubled_area(*facet);
   if (face.is_back) normal = {-normal.x, -normal.y, -normal.z};
   return {.eye = std::move(eye), .normal = Point3{normal.x, normal.y, normal.z}};

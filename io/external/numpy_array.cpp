@@ -9,6 +9,7 @@
 
 #include "geometry/name.h"
 #include "io/external/external_number.h"
+#include "kernel/support/counted.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -20,7 +21,7 @@ struct NumpyHead {
 
 NumpyHead split(const std::string& file, std::string_view text) {
   const auto byte = [&](std::size_t k) { return std::size_t{static_cast<unsigned char>(text[k])}; };
-  const auto breaks_off = [&] { throw InputError({file, 0}, "breaks off in NumPy's head"); };
+  const auto breaks_off = [&] { throw InputError({file, 0}, "ends within NumPy's header"); };
   constexpr std::size_t kMagic = 6;
   if (text.size() < kMagic + 4) breaks_off();
   const std::size_t major = byte(kMagic);
@@ -71,7 +72,7 @@ NumpyType type_of(const std::string& file, std::string_view descr) {
 std::vector<std::uint32_t> shape_of(const std::string& file, std::string_view shape) {
   const std::size_t end = shape.find(')');
   if (!shape.starts_with('(') || end == std::string_view::npos)
-    throw InputError({file, 0}, "NumPy's head has no shape");
+    throw InputError({file, 0}, "NumPy's header has no shape");
   std::string sides(shape.substr(1, end - 1));
   for (char& c : sides)
     if (c == ',') c = ' ';
@@ -117,7 +118,7 @@ NumpyArray parse_numpy(const std::string& file, std::string_view text, std::size
   array.type = type_of(file, value_of(dictionary, "descr"));
   const std::string_view order = value_of(dictionary, "fortran_order");
   if (!order.starts_with("True") && !order.starts_with("False"))
-    throw InputError({file, 0}, "NumPy's head does not say whether the order is Fortran's");
+    throw InputError({file, 0}, "NumPy's header does not say whether the order is Fortran's");
   array.is_by_columns = order.starts_with("True");
   array.shape = shape_of(file, value_of(dictionary, "shape"));
   array.body = body;
@@ -131,10 +132,9 @@ NumpyArray parse_numpy(const std::string& file, std::string_view text, std::size
     sides += (sides.empty() ? "" : " x ") + std::to_string(side);
   }
   if (array.shape.empty() || array.shape.size() > most_sides || array.shape.size() < 2)
-    throw InputError({file, 0}, most_sides == 2
-                                    ? "holds an array of another dimension than 2: a matrix is expected"
-                                    : "holds an array of another dimension than 2 or 3: rows, columns and perhaps "
-                                      "channels are expected");
+    throw InputError({file, 0}, "holds an array of " + counted(array.shape.size(), "dimension") +
+                                    (most_sides == 2 ? "; a matrix, of 2, is expected"
+                                                     : "; 2 or 3 are expected: rows, columns and perhaps channels"));
   if (!fits || room != 1)
     throw InputError({file, 0}, "has " + std::to_string(body.size()) + " bytes of numbers; " + sides + " of " +
                                     std::to_string(bytes) + " bytes are expected");

@@ -313,6 +313,9 @@ TEST(Compare, RefusesGridsThatDoNotFit) {
   EXPECT_THAT(said("f.csv"), HasSubstr("f.csv: is no array of NumPy"));
   EXPECT_THAT(said("a.npy"), HasSubstr("a.npy.json: says that the grid lies elsewhere"));
   EXPECT_THAT(said("none.npy"), StartsWith("none.npy: "));
+  ASSERT_EQ(place.run("sed 's/(6, 8, 1)/(6, 4, 2)/' solved/illumination.npy > two.npy").code, 0);
+  EXPECT_EQ(said("two.npy"),
+            "two.npy: has 2 values a cell, and the light of the scene one\n  its shape has to be (6, 4)\n");
 }
 
 // A scene that says how many cells there are has no others.

@@ -244,7 +244,7 @@ TEST_F(ExternalMatrixTest, RefusesWhatIsNoNumberAndWhatBreaksOff) {
   std::string array = numpy<double>("<f8", false, 4, 4, number);
   EXPECT_EQ(why("f.npy", array.substr(0, array.size() - 1)),
             "f.npy: has 127 bytes of numbers; 4 x 4 of 8 bytes are expected");
-  EXPECT_THAT(why("f.npy", array.substr(0, 20)), StartsWith("f.npy: breaks off in NumPy's head"));
+  EXPECT_THAT(why("f.npy", array.substr(0, 20)), StartsWith("f.npy: ends within NumPy's header"));
   for (const char* type : {"<c16", "|b1", "<f2", "|i3", "f", ""})
     EXPECT_THAT(why("f.npy", numpy_head(type, false, "4, 4")),
                 StartsWith("f.npy: holds numbers of the type " +
@@ -254,7 +254,7 @@ TEST_F(ExternalMatrixTest, RefusesWhatIsNoNumberAndWhatBreaksOff) {
   EXPECT_EQ(why("f.npy", numpy_head("<f8", false, "2147483647, 2147483647")),
             "f.npy: has 0 bytes of numbers; 2147483647 x 2147483647 of 8 bytes are expected");
   EXPECT_EQ(why("f.npy", numpy_head("<f8", false, "4,")),
-            "f.npy: holds an array of another dimension than 2: a matrix is expected");
+            "f.npy: holds an array of 1 dimension; a matrix, of 2, is expected");
 
   const std::string view3d = "View3D 4.0.0 0 0 0 2\n3 3\n0 0\n0 0\n0.5 0.5\n";
   EXPECT_THAT(why("f.txt", view3d), StartsWith("f.txt: is 2 x 2, which does not fit"));

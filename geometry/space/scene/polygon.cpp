@@ -110,7 +110,9 @@ PolygonProblem3 polygon_problem(const Polygon3& polygon) {
       if (!has_lowest_terms(point)) return {"has a coordinate that is not in lowest terms", "mpq_class::canonicalize"};
     if (const Point3* twice = repeated_point(*loop))
       return {"has the point " + place_text(*twice) + " twice",
-              "the last point is joined to the first: do not repeat it"};
+              loop->front() == loop->back() && *twice == loop->front()
+                  ? "the last point is joined to the first: do not repeat it"
+                  : "an outline passes each point once; a hole is a loop of its own"};
     if (!normal_of_a_corner(*loop))
       return {of_hole.empty() ? "has no area: its points lie on one line"
                               : "has a hole without an area: its points lie on one line",

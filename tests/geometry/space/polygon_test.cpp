@@ -52,6 +52,8 @@ TEST(Polygon3, HasAtLeastThreePointsNotOnOneLine) {
 TEST(Polygon3, HasNoTwoEqualPoints) {
   EXPECT_EQ(problem("0 0 0, 1 0 0, 1 1 0.5, 1/1 1.0 1/2"), "has the point (1, 1, 0.5) twice");
   EXPECT_EQ(problem("0 0 0, 1 0 0, 1 1 0, 0 0 0"), "has the point (0, 0, 0) twice");
+  EXPECT_THAT(polygon_problem(polygon("0 0 0, 1 0 0, 1 1 0, 0 0 0")).hint, HasSubstr("do not repeat it"));
+  EXPECT_THAT(polygon_problem(polygon("0 0 0, 1 0 0, 1 1 0, 0 0 0, 0 1 0")).hint, HasSubstr("passes each point once"));
 }
 
 TEST(Polygon3, HasCoordinatesInLowestTerms) {
