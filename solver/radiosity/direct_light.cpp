@@ -50,6 +50,14 @@ Rational missing_share(const LightShares& shares) {
   return rest;
 }
 
+// Whether it certainly lights no row. What a sun does is told by the check alone: at night it lights none.
+bool is_useless_lamp(const ExchangeMatrix& matrix, const Light& light, const LightShares& shares) {
+  if (light.is_sun() || light.power.is_zero() || shares.test != LightTest::kExact) return false;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    if (matrix.has_row(i) && shares.of_element[i].upper > 0) return false;
+  return true;
+}
+
 }  // namespace
 
 std::map<std::uint32_t, std::array<RationalEnclosure, 3>> power_without_rows(const ExchangeMatrix& matrix,
@@ -124,10 +132,16 @@ std::string lost_light_text(const Light& light, const LightShares& shares) {
          ": its power is lost there";
 }
 
-std::vector<std::string> lost_light_notes(std::span<const Light> lights, std::span<const LightShares> shares) {
+std::vector<std::string> lost_light_notes(const ExchangeMatrix& matrix, std::span<const Light> lights,
+                                          std::span<const LightShares> shares) {
   std::vector<std::string> notes;
-  for (std::size_t k = 0; k < shares.size(); ++k)
-    if (!shares[k].solid.empty()) notes.push_back(lost_light_text(lights[k], shares[k]));
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    if (!shares[k].solid.empty())
+      notes.push_back(lost_light_text(lights[k], shares[k]));
+    else if (is_useless_lamp(matrix, lights[k], shares[k]))
+      notes.push_back("light " + quoted_name(lights[k].name) +
+                      " shines on no face with a material: its power goes to faces without one and to the sky");
+  }
   return notes;
 }
 

@@ -51,9 +51,11 @@ void add_lights(const ExchangeMatrix& matrix, std::span<const Light> lights, std
 // The sources of a scene: what its materials and its sky emit, and its lights.
 RadiositySources sources_of(const ExchangeMatrix& matrix, const SceneTable& scene, std::span<const LightShares> lights);
 
-// What is to be said of a light in a solid; for all lights, one text for each that is in one.
+// What is to be said of a light in a solid.
 std::string lost_light_text(const Light& light, const LightShares& shares);
-std::vector<std::string> lost_light_notes(std::span<const Light> lights, std::span<const LightShares> shares);
+// Returns a text for each light in a solid, and for each lamp that lights no row, as one that is outside of a room.
+std::vector<std::string> lost_light_notes(const ExchangeMatrix& matrix, std::span<const Light> lights,
+                                          std::span<const LightShares> shares);
 
 // What is to be said of estimated shares, all by one test; nothing where there are none.
 std::optional<std::string> estimated_light_note(std::span<const Light> lights, std::span<const LightShares> shares);

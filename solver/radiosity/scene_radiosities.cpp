@@ -46,7 +46,7 @@ RadiositySolution scene_radiosities(const RadiositySolver& system, const SceneTa
   std::optional<BeyondDoubles> beyond;
   RadiositySolution result = with_file_context(scene.file, [&] {
     const RadiositySources sources = sources_of(matrix, scene, lights);
-    for (std::string& note : lost_light_notes(scene.lights, lights)) notes.push_back(std::move(note));
+    for (std::string& note : lost_light_notes(matrix, scene.lights, lights)) notes.push_back(std::move(note));
     if (const auto note = black_in_solar_note(matrix, scene.materials)) notes.push_back(*note);
     beyond = below_doubles(matrix, scene.materials);
     if (beyond) return RadiositySolution{};

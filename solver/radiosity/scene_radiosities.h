@@ -17,8 +17,8 @@ namespace hottel {
 //
 //   (1) where factors are enclosed and none is estimated, bounds are narrowed by those that hold whatever the factors
 //       are (set_a_priori_bounds)
-//   (2) the notes are those given, then lights that are lost in solids, then what follows of the guarantee, then those
-//       of the solver; the seconds of the system are among those of the radiosities
+//   (2) the notes are those given, then lights that are lost (lost_light_notes), then what follows of the guarantee,
+//       then those of the solver; the seconds of the system are among those of the radiosities
 //   (3) where shares of lights are estimates, so is the solution; what they lack of the power is a defect of the energy
 //   (4) a face of given net flux, or an insulated one, whose sigma T⁴ has an upper bound below 0 is refused by name,
 //   and so is an insulated

@@ -15,6 +15,7 @@ namespace hottel::lights_test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 using testing_cli::lines_of;
 using testing_cli::Outcome;
 using testing_cli::Workplace;
@@ -131,6 +132,21 @@ TEST(Lights, OnSurfacesAndInSolids) {
   const Outcome on = place.run("hottel solve on.json -o on");
   EXPECT_EQ(on.code, 3);
   EXPECT_THAT(on.err, HasSubstr("light 'stuck' lies on the surface 'f4'"));
+}
+
+TEST(Lights, ALampThatLightsNothingIsTold) {
+  const Workplace place;
+  const std::string told = "note: light 'bulb' shines on no face with a material: its power goes to ";
+  place.write("out.json", square(R"({"type": "point", "name": "bulb", "position": [9, 9], "power": 6})"));
+  EXPECT_THAT(place.run("hottel solve out.json -o out").err, HasSubstr(told));
+  place.write("away.json", cube(R"({"type": "spot", "name": "bulb", "position": [9, 9, 9], "direction": [1, 1, 1],
+    "focus": 4, "power": 6})"));
+  EXPECT_THAT(place.run("hottel solve away.json -o away").err, HasSubstr(told));
+  for (const char* power : {"0", "6"}) {
+    place.write("in.json", square(R"({"type": "point", "name": "bulb", "position": [0.5, 0.5], "power": )" +
+                                  std::string(power) + "}"));
+    EXPECT_THAT(place.run("hottel solve in.json -o in").err, Not(HasSubstr("shines on no face")));
+  }
 }
 
 TEST(Lights, TooBrightForDoublesIsToldByName) {
