@@ -1,7 +1,7 @@
 #include "cli/sums_option.h"
 
+#include "geometry/memory_text.h"
 #include "kernel/support/failure.h"
-#include "solver/memory_estimate.h"
 
 namespace hottel {
 

@@ -61,6 +61,8 @@ std::vector<std::size_t> group_sizes(const SceneTable& table) {
   return sizes;
 }
 
+bool is_divided(const SceneTable& table) { return std::ranges::any_of(table.surfaces, &Surface::is_divided); }
+
 std::vector<std::string> channel_names(const SceneTable& table) {
   if (table.has_bands) return {"solar", "thermal"};
   return channel_count(table) == 1 ? std::vector<std::string>{"all"} : std::vector<std::string>{"r", "g", "b"};

@@ -159,6 +159,9 @@ void settle_bands(SceneTable& table);
 // Returns how many surfaces each group has. Throws ContractViolation for a surface of a group that is not there.
 std::vector<std::size_t> group_sizes(const SceneTable& table);
 
+// True iff some surface is divided into elements. In the plane rows are then those of elements by default.
+bool is_divided(const SceneTable& table);
+
 // Returns how many channels the spectra of a scene need: 2 in two bands; 1 when the sky, all materials and lights are
 // scalars, else 3. Materials that no surface has count too.
 int channel_count(const SceneTable& table);

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/memory_text.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
-#include "solver/plan.h"
 #include "solver/radiosity/radiosity_options.h"
 
 namespace hottel {
@@ -26,6 +26,13 @@ std::string count_text(double count) {
 std::uint64_t times(std::uint64_t count, double parts) {
   constexpr double kMost = 1e18;
   return static_cast<std::uint64_t>(std::min(kMost, static_cast<double>(count) * parts));
+}
+
+// What helps, as sentences.
+std::string remedy_text(bool may_allow_more, bool may_take_fewer) {
+  if (!may_take_fewer) return may_allow_more ? ". Allow more (--memory)" : "";
+  return std::string(may_allow_more ? ". Allow more (--memory), take" : ". Take") +
+         " fewer elements, or a larger element size";
 }
 
 }  // namespace
@@ -52,7 +59,7 @@ MemoryEstimate::MemoryEstimate(std::vector<CountedFace> faces, const MemoryQuest
       if (are_known) unit = "visible pairs";
     }
   }
-  stages_.push_back({"elements", elements, "elements beside the faces", of_factors_});
+  stages_.push_back({"elements", elements, "elements that dividing adds", of_factors_});
   stages_.push_back({"view factors", pairs_, std::string(unit) + (question.pairs_on_disk ? ", on disk" : ""),
                      pairs_ * bytes_of_pair});
   known_pairs_ = are_known ? pairs_ : 0;
@@ -95,16 +102,16 @@ std::string memory_problem(const MemoryEstimate& estimate, const MemoryLimits& l
   const bool are_factors = estimate.of_factors() > static_cast<double>(limits.of_factors);
   if (!are_factors && estimate.of_solution() <= static_cast<double>(limits.of_all)) return "";
   if (are_factors)
-    return fmt::format(
-        "about {} {} and {} {} need about {} of memory; allowed are {} bytes. Take fewer elements, or a larger "
-        "element size",
-        count_text(elements.count), elements.unit, count_text(pairs.count), pairs.unit,
-        short_bytes(estimate.of_factors()), limits.of_factors);
+    return fmt::format("about {}{} {} need about {} of memory; the limit is {}{}",
+                       elements.count > 0 ? fmt::format("{} {} and ", count_text(elements.count), elements.unit) : "",
+                       count_text(pairs.count), pairs.unit, short_bytes(estimate.of_factors()),
+                       short_bytes(static_cast<double>(limits.of_factors)),
+                       remedy_text(limits.of_factors<limits.of_all, elements.count> 0));
   const auto most = std::max_element(estimate.stages().begin() + 2, estimate.stages().end(),
                                      [](const MemoryStage& a, const MemoryStage& b) { return a.bytes < b.bytes; });
-  return fmt::format("the {} of {} {} needs about {} of memory, with all that is there {}; allowed are {} bytes",
-                     most->name, count_text(most->count), most->unit, short_bytes(most->bytes),
-                     short_bytes(estimate.of_solution()), limits.of_all);
+  return fmt::format("the {} of {} {} needs about {} of memory, with all that is there {}; the limit is {}", most->name,
+                     count_text(most->count), most->unit, short_bytes(most->bytes), short_bytes(estimate.of_solution()),
+                     short_bytes(static_cast<double>(limits.of_all)));
 }
 
 void require_memory_for(const SceneTable& scene, const MemoryQuestion& question, std::uint64_t asked,
@@ -114,14 +121,6 @@ void require_memory_for(const SceneTable& scene, const MemoryQuestion& question,
   const auto room = static_cast<double>(std::min(limits.of_factors, limits.of_all));
   if (const std::string problem = memory_problem(estimate(room), limits); !problem.empty())
     throw RequestError((scene.file.empty() ? "" : scene.file + ": ") + problem);
-}
-
-std::string short_bytes(double bytes) {
-  constexpr const char* kUnits[] = {"bytes", "kB", "MB", "GB", "TB", "PB", "EB"};
-  std::size_t unit = 0;
-  for (; bytes >= 999.5 && unit + 1 < std::size(kUnits); ++unit) bytes /= 1000;
-  return unit == 0 ? fmt::format("{:.0f} {}", bytes, kUnits[unit])
-                   : fmt::format("{:.{}f} {}", bytes, bytes < 9.95 ? 1 : 0, kUnits[unit]);
 }
 
 }  // namespace hottel

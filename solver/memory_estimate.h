@@ -80,7 +80,4 @@ std::string memory_problem(const MemoryEstimate& estimate, const MemoryLimits& l
 void require_memory_for(const SceneTable& scene, const MemoryQuestion& question, std::uint64_t asked,
                         const std::function<MemoryEstimate(double room)>& estimate);
 
-// "1.2 GB": decimal units, two digits.
-std::string short_bytes(double bytes);
-
 }  // namespace hottel

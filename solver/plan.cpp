@@ -6,8 +6,6 @@
 
 namespace hottel {
 
-bool is_divided(const SceneTable& scene) { return std::ranges::any_of(scene.surfaces, &Surface::is_divided); }
-
 bool Plan::uses(const std::string& effect) const {
   const auto place =
       std::find_if(effects_.begin(), effects_.end(), [&](const PlannedEffect& e) { return e.effect == effect; });

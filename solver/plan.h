@@ -30,9 +30,6 @@ struct PlanRequest {
   friend bool operator==(const PlanRequest&, const PlanRequest&) = default;
 };
 
-// True iff some surface is divided into elements. In the plane rows are then those of elements by default.
-bool is_divided(const SceneTable& scene);
-
 // The effects in the order in which they are simulated.
 //
 //   (1) an effect that hottel can simulate is left out only where it makes no difference: with everything used exact

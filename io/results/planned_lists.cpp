@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "solver/memory_estimate.h"
+#include "geometry/memory_text.h"
 
 namespace hottel {
 

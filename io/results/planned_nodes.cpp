@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "geometry/memory_text.h"
 #include "kernel/support/counted.h"
-#include "solver/memory_estimate.h"
 
 namespace hottel {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "geometry/memory_text.h"
 #include "geometry/name.h"
 #include "io/results/sky_report.h"
 #include "kernel/support/counted.h"

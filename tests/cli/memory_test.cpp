@@ -50,7 +50,7 @@ TEST(Memory, ThatNoMachineHasIsAnUnmetRequestAtOnce) {
         "view " + boxes + " --elements 1000 --screenshot s.png", std::string("view divided.json --screenshot s.png")}) {
     const Outcome outcome = place.run("hottel " + line);
     EXPECT_EQ(outcome.code, 1) << line << "\n" << outcome.err;
-    EXPECT_THAT(outcome.err, HasSubstr("of memory; allowed are")) << line;
+    EXPECT_THAT(outcome.err, HasSubstr("of memory; the limit is")) << line;
     EXPECT_THAT(outcome.err, HasSubstr("fewer elements")) << line;
     EXPECT_EQ(place.files(), std::vector<std::string>{"divided.json"}) << line;
   }
@@ -83,7 +83,7 @@ TEST(Memory, OfASmallSceneIsPlannedBesideItsEffects) {
   EXPECT_THAT(much.out, StartsWith("plan\n"));
   EXPECT_THAT(much.out, HasSubstr("\nit fits\n"));
   EXPECT_THAT(little.out, StartsWith("plan\n")) << "it fits into the machine";
-  EXPECT_THAT(little.out, HasSubstr("allowed are 1000 bytes"));
+  EXPECT_THAT(little.out, HasSubstr("the limit is 1.0 kB. Allow more (--memory), take fewer elements"));
   EXPECT_EQ(little.code, 0);
   EXPECT_THAT(place.run("hottel plan " + kMemoryScenes + "space/cube.json --elements 4").out,
               testing::Not(HasSubstr("memory")));

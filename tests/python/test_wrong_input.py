@@ -168,7 +168,7 @@ def test_requests_that_cannot_be_met(square):
     with pytest.raises(hottel.RequestError, match="closed") as refused:
         hottel.Simulation(hottel.Scene(square)).factors
     assert isinstance(refused.value, RuntimeError) and not isinstance(refused.value, ValueError)
-    with pytest.raises(hottel.RequestError, match="allowed are 1000"):
+    with pytest.raises(hottel.RequestError, match="the limit is 1.0 kB"):
         hottel.Simulation(hottel.read_scene(SCENES / "showcase/museum.json"), memory=1000).factors
 
 

@@ -1,15 +1,14 @@
 #include "geometry/plane/exchange/requested_sums.h"
 
 #include <limits>
-#include <string>
 #include <vector>
 
+#include "geometry/memory_text.h"
 #include "geometry/plane/exchange/convex_sums.h"
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "geometry/plane/exchange/sweep_crew.h"
 #include "geometry/plane/exchange/swept_vertices.h"
 #include "geometry/plane/prepared/element_table.h"
-#include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
 
 namespace hottel {
@@ -28,10 +27,7 @@ std::uint64_t most_pairs(const PreparedScene2& prepared, const ElementTable2& ta
   const std::uint64_t most = request.memory / bytes_per_pair;
   const std::uint64_t pairs =
       sweeps(prepared, request) ? estimated_sight(prepared.arrangement, table).pairs : count_all_pairs(table);
-  if (pairs > most)
-    throw RequestError("about " + std::to_string(pairs) + " visible pairs need about " +
-                       std::to_string(pairs * bytes_per_pair) + " bytes; allowed are " +
-                       std::to_string(request.memory) + ": allow more memory, or take fewer elements");
+  if (pairs > most) refuse_memory(prepared.scene, pairs, "visible pairs", bytes_per_pair, request.memory);
   return most;
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "geometry/memory_text.h"
 #include "geometry/space/exchange/exchange_memory.h"
 #include "geometry/space/exchange/groups_alone.h"
 #include "geometry/space/exchange/pair_names.h"
@@ -24,19 +25,11 @@
 namespace hottel {
 namespace {
 
-[[noreturn]] void refuse_memory(std::uint64_t count, const char* what, std::uint64_t each, std::uint64_t allowed) {
-  throw RequestError(fmt::format(
-      "about {} {} need about {} bytes; allowed are {}: allow more memory, or take fewer elements", count, what,
-      static_cast<double>(count) * static_cast<double>(each) < 1e19
-          ? fmt::format("{}", count * each)
-          : fmt::format("{:.2g}", static_cast<double>(count) * static_cast<double>(each)),
-      allowed));
-}
-
 // The pairs of so many bytes that the memory holds beside the elements. Throws RequestError where these are too many.
-std::uint64_t most_pairs(std::uint64_t elements, std::uint64_t memory, std::uint64_t each) {
+std::uint64_t most_pairs(const Scene3& scene, const ExchangeRequest& request, std::uint64_t each) {
+  const std::uint64_t elements = element_counts(scene, request.granularity).all, memory = request.memory;
   if (memory == 0) return std::numeric_limits<std::uint64_t>::max();
-  if (elements > memory / kBytesPerElement3) refuse_memory(elements, "elements", kBytesPerElement3, memory);
+  if (elements > memory / kBytesPerElement3) refuse_memory(scene, elements, "elements", kBytesPerElement3, memory);
   if (each == 0) return std::numeric_limits<std::uint64_t>::max();
   return (memory - elements * kBytesPerElement3) / each;
 }
@@ -50,7 +43,7 @@ void require_room_for_pairs(const PreparedScene3& prepared, const ElementTable3&
       std::ranges::count_if(table.parts(), [&](const auto& part) { return is_chosen[part.label] != 0; }));
   if (std::min(patches / 2, chosen) * patches <= static_cast<double>(most)) return;
   if (const std::uint64_t pairs = estimated_pairs(prepared, table); pairs > most)
-    refuse_memory(pairs, "visible pairs", each, memory);
+    refuse_memory(prepared.scene, pairs, "visible pairs", each, memory);
 }
 
 // How many threads may measure pairs, one at least: what they take is within what the pairs of this many patches leave
@@ -103,8 +96,7 @@ ExchangeRows3::ExchangeRows3(const PreparedScene3& prepared, const ExchangeReque
     : prepared_(prepared),
       request_(request),
       keeper_(keeper),
-      most_(most_pairs(element_counts(prepared.scene, request.granularity).all, request.memory,
-                       keeper != nullptr ? keeper->bytes_per_pair() : kBytesPerPair3)),
+      most_(most_pairs(prepared.scene, request, keeper != nullptr ? keeper->bytes_per_pair() : kBytesPerPair3)),
       table_(*prepared.elements(request.granularity)),
       is_chosen_(table_.count() + std::size_t{1}, 0),
       has_come_(is_chosen_),

@@ -389,7 +389,7 @@ TEST(LiveScene2, HasNoLightWhereMemoryDoesNotSuffice) {
   ASSERT_TRUE(live.wait(kPatience));
   EXPECT_EQ(live.state()->factors, nullptr);
   EXPECT_NE(live.state()->prepared, nullptr);
-  EXPECT_THAT(live.state()->problem, HasSubstr("allowed are 100"));
+  EXPECT_THAT(live.state()->problem, HasSubstr("the limit is 100 bytes"));
 }
 
 constexpr int kHammer = kHasAddressSanitizer || kHasThreadSanitizer ? 25 : 300;
