@@ -16,6 +16,7 @@
 namespace hottel::factors_in_space_test {
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -226,6 +227,8 @@ TEST_F(FactorsInSpace, AnEnclosureWithinTheToleranceMayBeDemanded) {
   EXPECT_THAT(lines_of(unmet.err)[0], HasSubstr("cube.json: "));
   EXPECT_THAT(unmet.err, HasSubstr("pairs "));
   EXPECT_THAT(unmet.err, HasSubstr("'floor' and 'ceiling'"));
+  EXPECT_THAT(unmet.err, ContainsRegex("; and 12 more, the worst of all [0-9.]+e-1[0-9]. Take a larger tolerance, such "
+                                       "as 1e-1[0-9]\n"));
   EXPECT_EQ(place_.read("old.csv"), "old");
 }
 

@@ -9,7 +9,8 @@
 
 namespace hottel {
 
-// Throws UnmeasuredPairs, naming the first of them and what was reached, unless there are none.
+// Throws UnmeasuredPairs, naming the first of them and what was reached, unless there are none. Where all of them
+// reached some tolerance it advises one.
 void require_measured(const PreparedScene3& prepared, const ElementTable3& table, double tolerance,
                       const std::vector<FailedPair3>& failures);
 

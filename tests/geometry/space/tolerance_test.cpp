@@ -268,6 +268,7 @@ TEST(Tolerance3, APairThatFailsIsNamedOnceWithWhatWasReached) {
   const std::string far = refusal_of(screened(Rational(1) / 2), 1e-20);
   EXPECT_THAT(far, HasSubstr("could not be measured within 1e-20 of the smaller area: "));
   EXPECT_THAT(far, HasSubstr(" was reached: "));
+  EXPECT_THAT(far, HasSubstr(". Take a larger tolerance, such as 1e-"));
   EXPECT_THAT(far, Not(HasSubstr("all but touch")));
   EXPECT_EQ(count_of(far, "'low' and 'high'"), 1U) << far;
   EXPECT_THAT(refusal_of(screened(tenth_to(5)), 1e-20), HasSubstr("Some surfaces all but touch"));
