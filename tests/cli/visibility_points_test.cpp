@@ -101,6 +101,24 @@ TEST(VisibilityPoints, OfASceneWithoutASolutionNeedNone) {
   EXPECT_THAT(room.files(), ElementsAre("mirrors.json", "room.json"));
 }
 
+TEST(VisibilityPoint, IsToldToLieOutsideAndToHaveNoLight) {
+  const Room room;
+  std::string closed = kRoom;
+  closed.insert(closed.find("\"materials\""), "\"closed\": true, ");
+  room.write("closed.json", closed);
+  const std::string outside = room.run("hottel visibility closed.json --at 9,9").out;
+  EXPECT_THAT(outside, StartsWith("from (9, 9), outside the convex hull of the scene\n"));
+  EXPECT_THAT(outside,
+              HasSubstr("\nno mean irradiance: the scene is promised to be closed, and no face with a material "
+                        "is seen\n"));
+  EXPECT_THAT(room.run("hottel visibility closed.json --at 3,1").out, HasSubstr("\nmean irradiance\n  all "));
+  room.write("line.json", R"({"hottel": 1, "dimension": 2, "materials": {"m": {}},
+    "edges": [{"points": [[0, 0], [1, 0]], "material": "m"}, {"points": [[2, 0], [3, 0]], "material": "m"}]})");
+  for (const char* point : {"1/2,1", "1/2,0"})
+    EXPECT_THAT(room.run(std::string("hottel visibility line.json --at ") + point).out,
+                HasSubstr(", on or beside the line that holds the whole scene\n"));
+}
+
 TEST(VisibilityEdge, SaysWhichPartsOfWhichFacesAreSeen) {
   const Room room;
   const Outcome text = room.run("hottel visibility room.json --edge 'room[3]'");  // the floor

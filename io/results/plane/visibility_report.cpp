@@ -70,7 +70,8 @@ std::string where(const PreparedScene2& prepared, const VisibilityPolygon2& poly
     case Location2::Kind::kInTriangle:
       return "in the open";
     case Location2::Kind::kOutside:
-      return "outside the hull of the scene, or on its only line";
+      return arrangement.triangulation().triangle_count() > 0 ? "outside the convex hull of the scene"
+                                                              : "on or beside the line that holds the whole scene";
     case Location2::Kind::kOnVertex:
       return is_on_solid ? "at a vertex of " + solid_text(prepared.scene, covered->solid) +
                                "; every direction that does not lead into a solid is seen"
@@ -145,10 +146,14 @@ void add_light(const PointLight2& light, Draft& answer) {
     answer.text += fmt::format("\nno mean irradiance: {}\n", light.why_none);
     return;
   }
-  answer.text += "\nmean irradiance\n";
+  const bool is_nowhere = std::ranges::any_of(light.mean_irradiance, [](double value) { return std::isnan(value); });
+  answer.text += is_nowhere
+                     ? "\nno mean irradiance: the scene is promised to be closed, and no face with a material is seen\n"
+                     : "\nmean irradiance\n";
   for (std::size_t c = 0; c < light.mean_irradiance.size(); ++c) {
     answer.json["mean_irradiance"][light.channel_names[c]] = light.mean_irradiance[c];
-    answer.text += fmt::format("  {:<24} {}\n", light.channel_names[c], shortest(light.mean_irradiance[c]));
+    if (!is_nowhere)
+      answer.text += fmt::format("  {:<24} {}\n", light.channel_names[c], shortest(light.mean_irradiance[c]));
   }
 }
 
