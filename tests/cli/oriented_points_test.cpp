@@ -256,7 +256,8 @@ TEST(OrientedPoints, WhatMakesNoSenseIsRefused) {
   EXPECT_THAT(refused("x,y,z,nx,ny,nz\n0,1,0,0,0,1\n", "", 3),
               HasSubstr("is x,y,nx,ny in the plane, not x,y,z,nx,ny,nz"));
   EXPECT_THAT(refused("x,y,nx,ny\n", "", 3), HasSubstr("there is no point in it"));
-  EXPECT_THAT(refused("0,1,0,1\n", "", 3), HasSubstr("points.csv:1: a point has two coordinates x,y, not 4"));
+  EXPECT_THAT(refused("0,1,0,1\n", "", 3),
+              HasSubstr("points.csv:1: a point has two coordinates x,y, in space three x,y,z, not 4"));
   EXPECT_THAT(refused("x,y,nx,ny\n0,1,0,1\n", "--range 2", 2), HasSubstr("--range is for polygons"));
   EXPECT_THAT(refused("x,y,nx,ny\n0,1,0,1\n", "--side front", 2), HasSubstr("--side is for polygons"));
   EXPECT_THAT(refused("x,y,nx,ny\n0,1,0,1\n", "--exact", 2), HasSubstr("--exact is for polygons"));

@@ -123,6 +123,9 @@ TEST(Space, PointsOfSpaceThatAreWrongAreRefused) {
        {std::pair("printf '1,1,1\\n1,1\\n' | hottel visibility room.json --points -", "three coordinates x,y,z, not 2"),
         {"echo 1,1,a | hottel visibility room.json --points -", "is no number"},
         {"echo x,y,z | hottel visibility room.json --points -", "there is no point in it"},
+        {"echo id,x,y,z | hottel visibility room.json --points -", "'id,x,y,z' is no first line that is known"},
+        {"printf 'id,x,y\\nA,1,2\\n' | hottel visibility flat.json --points -",
+         "'id,x,y' is no first line that is known"},
         {"echo 1,1,1 | hottel visibility flat.json --points -", "flat.json is in the plane"}}) {
     const Outcome outcome = place.run(line);
     EXPECT_EQ(outcome.code, 3) << line;

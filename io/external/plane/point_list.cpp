@@ -22,17 +22,43 @@ bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0
 
 // ---- csv
 
+bool is_head(const std::vector<std::string_view>& fields) {
+  const std::string_view first = trimmed(fields[0], kBlanks);
+  return !first.empty() && is_letter(first.front());
+}
+
+// Of a head that names other columns than x,y.
+[[noreturn]] void refuse_head(const CsvReader& reader) {
+  std::string line;
+  for (const std::string_view field : reader.fields()) line += (line.empty() ? "" : ",") + std::string(field);
+  throw InputError(reader.where(), quoted_name(line) + " is no first line that is known",
+                   {"a csv of points has lines x,y, in space x,y,z, with or without these words as the first line",
+                    "points with normals have the first line x,y,nx,ny, in space x,y,z,nx,ny,nz; there are no other "
+                    "columns"});
+}
+
+[[noreturn]] void refuse_count(const CsvReader& reader, bool is_first) {
+  const auto& fields = reader.fields();
+  const std::string_view only = trimmed(fields[0], kBlanks);
+  if (fields.size() == 1 && only.find_first_of(" \t;") != std::string_view::npos)
+    throw InputError(reader.where(), quoted_name(only) + " is no point: commas stand between its numbers");
+  const std::string in_space = is_first ? ", in space three x,y,z" : "";
+  throw InputError(reader.where(),
+                   "a point has two coordinates x,y" + in_space + ", not " + std::to_string(fields.size()),
+                   {"points with normals, which may be in space, have the first line x,y,nx,ny or x,y,z,nx,ny,nz"});
+}
+
 std::vector<Point2> points_of_csv(std::string_view text, const std::string& name) {
   std::vector<Point2> points;
   CsvReader reader(name, text);
   for (bool is_first = true; reader.next(); is_first = false) {
     const auto& fields = reader.fields();
     if (fields.size() == 1 && trimmed(fields[0], kBlanks).empty()) continue;
-    if (fields.size() != 2)
-      throw InputError(reader.where(), "a point has two coordinates x,y, not " + std::to_string(fields.size()),
-                       {"points with normals, which may be in space, have the first line x,y,nx,ny or x,y,z,nx,ny,nz"});
-    const std::string_view x = trimmed(fields[0], kBlanks), y = trimmed(fields[1], kBlanks);
+    const bool is_pair = fields.size() == 2;
+    const std::string_view x = trimmed(fields[0], kBlanks), y = is_pair ? trimmed(fields[1], kBlanks) : "";
     if (is_first && lower_case(x) == "x" && lower_case(y) == "y") continue;
+    if (is_first && is_head(fields)) refuse_head(reader);
+    if (!is_pair) refuse_count(reader, is_first);
     points.push_back({coordinate_of_2(x, reader.where()), coordinate_of_2(y, reader.where())});
   }
   return points;
@@ -127,8 +153,9 @@ std::vector<Point2> read_points_2(std::string_view text, const std::string& name
   std::string_view content = text;
   if (content.starts_with(kByteOrderMark)) content.remove_prefix(kByteOrderMark.size());
   const std::string_view start = trimmed(content, kBlanks);
+  const std::string_view line = start.substr(0, start.find_first_of("\r\n"));
   const bool is_word = !start.empty() && is_letter(start.front());
-  const bool is_header = is_word && (start.front() == 'x' || start.front() == 'X');
+  const bool is_header = line.find(',') < line.find('(');
   std::vector<Point2> points;
   if (start.starts_with('{')) {
     const JsonDocument document(content, name);

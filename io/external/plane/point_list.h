@@ -15,8 +15,8 @@ namespace hottel {
 //
 //   {        GeoJSON: Point, MultiPoint, GeometryCollection, Feature and FeatureCollection
 //   a word   well-known text: POINT and MULTIPOINT (with or without the inner parentheses), GEOMETRYCOLLECTION,
-//            any number of them one after the other; case does not matter. EMPTY stands for no point. (But the words
-//            x,y are the first line of a csv.)
+//            any number of them one after the other; case does not matter. EMPTY stands for no point. (But words with
+//            commas between them, and no '(' before, are the first line of a csv.)
 //   else     csv: one point x,y a line, blanks about a number are allowed, and so is a first line x,y
 //
 // Members of GeoJSON objects that say nothing of places are passed over; so are third coordinates of GeoJSON and

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstddef>
 #include <utility>
 
@@ -25,7 +26,9 @@ bool are_points_3(std::string_view text) {
   const std::size_t begin = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");
   if (begin == std::string_view::npos) return false;
   const std::string_view line = text.substr(begin, text.find_first_of("\r\n", begin) - begin);
-  return line.find_first_of("{(") == std::string_view::npos && std::ranges::count(line, ',') == 2;
+  if (line.find_first_of("{(") != std::string_view::npos || std::ranges::count(line, ',') != 2) return false;
+  CsvReader reader("", line, kTriples);
+  return std::isalpha(static_cast<unsigned char>(line.front())) == 0 || (reader.next() && names_axes(reader.fields()));
 }
 
 PointReader3::PointReader3(std::string_view text, const std::string& name) : reader_(name, text, kTriples) {}

@@ -11,7 +11,7 @@
 
 namespace hottel {
 
-// Whether a text is a csv whose first line has three fields.
+// Whether a text is a csv whose first line has three fields; if these are words, x,y,z.
 bool are_points_3(std::string_view text);
 
 // Reads the points of a csv of lines x,y,z, in its order, exactly as typed: a number is an integer, a decimal or p/q,
