@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <filesystem>
 #include <optional>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "geometry/name.h"
 #include "io/scene/binary_scene.h"
@@ -84,7 +87,7 @@ ValidScene read_scene_file(std::string_view text, const std::string& name, const
   return scene;
 }
 
-ValidScene read(const std::filesystem::path& file, const Reading& reading) {
+ValidScene read_by_ending(const std::filesystem::path& file, const Reading& reading) {
   const std::string name = file.string();
   if (is_map_2(file) || is_svg_2(file)) {
     require_plane(reading, name);
@@ -116,6 +119,42 @@ std::optional<MeshFormat3> mesh_format_of(std::string_view text, std::string_vie
   if (start.starts_with("ply")) return MeshFormat3::kPly;
   if (start.substr(0, 8).find("OFF") != std::string_view::npos) return MeshFormat3::kOff;
   return std::nullopt;
+}
+
+// What a file is by its beginning, where that is not what its ending says; empty where it is, or is not certain.
+std::string other_format_hint(const std::filesystem::path& file, std::string_view text) {
+  if (is_vs3(file)) return "";
+  const std::string_view start = text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  const auto by_ending = mesh_format_3(file);
+  if (start.starts_with('{'))
+    return by_ending || is_svg_2(file) ? "it begins as JSON does: a scene is called .json, a map .geojson" : "";
+  if (start.starts_with("<svg") || start.starts_with("<?xml"))
+    return is_svg_2(file) ? "" : "it begins as SVG does: call it .svg";
+  const auto format = mesh_format_of(text, start);
+  if (!format || format == by_ending || (format == MeshFormat3::kOff && start.starts_with('#'))) return "";
+  const auto [name, ending] = *format == MeshFormat3::kObj   ? std::pair("OBJ", ".obj")
+                              : *format == MeshFormat3::kPly ? std::pair("PLY", ".ply")
+                              : *format == MeshFormat3::kOff ? std::pair("OFF", ".off")
+                                                             : std::pair("STL", ".stl");
+  return std::string("it begins as ") + name + " does: call it " + ending;
+}
+
+// Where the file is refused it is told if it seems to be of another format. A pipe cannot be read again.
+ValidScene read(const std::filesystem::path& file, const Reading& reading) {
+  try {
+    return read_by_ending(file, reading);
+  } catch (const MissingFile&) {
+    throw;
+  } catch (const InputError& error) {
+    std::error_code unknown;
+    std::vector<std::string> hints = error.hints();
+    if (error.where().file != file.string() || hints.size() > 2 || !std::filesystem::is_regular_file(file, unknown))
+      throw;
+    const std::string hint = other_format_hint(file, read_text_file(file));
+    if (hint.empty()) throw;
+    hints.push_back(hint);
+    throw InputError(error.where(), std::string(error.what()).substr(error.where().text().size() + 2), hints);
+  }
 }
 
 // Whether an object of JSON is no scene, but has a "type".

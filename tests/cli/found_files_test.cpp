@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 
 #include "tests/cli/program.h"
 
@@ -240,6 +241,32 @@ TEST(FoundFiles, MeshesOfEveryFormatComeByStandardInput) {
   const Outcome commented = place.run("(echo '# a cube'; echo; cat cube.obj) | hottel factors - --quiet");
   EXPECT_EQ(commented.code, 0) << commented.err;
   EXPECT_EQ(place.run("echo 'mesh' | hottel factors -").code, 3);
+}
+
+TEST(FoundFiles, AFileUnderTheEndingOfAnotherFormatIsTold) {
+  const Workplace place;
+  const std::string json = R"({"hottel": 1, "dimension": 2, "materials": {"m": {}},
+    "edges": [{"points": [[0, 0], [1, 0]], "material": "m"}]})",
+                    stl = "solid a\n" + cube(0, true) + "endsolid a\n",
+                    obj = "# OFF\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const std::string as_json = "it begins as JSON does: a scene is called .json, a map .geojson";
+  for (const auto& [file, text, hint] : {std::tuple("a.stl", json, as_json),
+                                         {"a.svg", json, as_json},
+                                         {"a.obj", stl, "it begins as STL does: call it .stl"},
+                                         {"a.json", stl, "it begins as STL does: call it .stl"},
+                                         {"a.ply", obj, "it begins as OBJ does: call it .obj"},
+                                         {"a.json", "<svg/>", "it begins as SVG does: call it .svg"}}) {
+    place.write(file, text);
+    const Outcome outcome = place.run(std::string("hottel plan ") + file);
+    EXPECT_EQ(outcome.code, 3) << file;
+    EXPECT_THAT(outcome.err, StartsWith(std::string(file) + ":"));
+    EXPECT_EQ(lines_of(outcome.err).back(), "  " + hint) << outcome.err;
+  }
+  for (const auto& [file, text] : {std::pair("b.json", "{]"), {"b.obj", "v 0 0\n"}, {"b.svg", "<svg>"}}) {
+    place.write(file, text);
+    EXPECT_THAT(place.run(std::string("hottel plan ") + file).err, Not(HasSubstr("it begins as"))) << file;
+  }
+  EXPECT_EQ(place.run("hottel plan missing.stl").err, "missing.stl: there is no such file\n");
 }
 
 TEST(FoundFiles, APointOnAnOutlineMaySeeWhatItsFrontSees) {

@@ -136,8 +136,9 @@ bool is_text(std::string_view bytes) {
     why += "it has " + std::to_string(bytes.size()) + " bytes where a binary one has 84 or more";
   } else {
     const std::size_t count = triangles_of(bytes);
-    why = "has " + std::to_string(bytes.size()) + " bytes, and as a binary file with " + counted(count, "triangle") +
-          " (byte 80) it would have " + std::to_string(kFirstTriangle + kTriangleBytes * count);
+    why = "is no STL file, or no whole one: a binary one of " + counted(count, "triangle") + " (bytes 80 to 83) has " +
+          std::to_string(kFirstTriangle + kTriangleBytes * count) + " bytes, not " + std::to_string(bytes.size()) +
+          "; one of text begins with solid";
   }
   throw InputError({file, 0}, why);
 }

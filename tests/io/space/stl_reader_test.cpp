@@ -145,14 +145,16 @@ TEST(StlReader, BinaryFilesHaveTheLengthThatTheySay) {
   const std::string whole = binary("", {{0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 0, 0, 0, 1, 0, 0, 0, 1}});
   for (std::size_t length = 0; length < whole.size(); ++length) EXPECT_NE(refusal(whole.substr(0, length)), "");
   EXPECT_EQ(refusal(whole.substr(0, 150)),
-            "in/room.stl: has 150 bytes, and as a binary file with 2 triangles (byte 80) it would have 184");
+            "in/room.stl: is no STL file, or no whole one: a binary one of 2 triangles (bytes 80 to 83) has 184 bytes, "
+            "not 150; one of text begins with solid");
   EXPECT_EQ(refusal(whole + "x"),
-            "in/room.stl: has 185 bytes, and as a binary file with 2 triangles (byte 80) it would have 184");
+            "in/room.stl: is no STL file, or no whole one: a binary one of 2 triangles (bytes 80 to 83) has 184 bytes, "
+            "not 185; one of text begins with solid");
   std::string many = whole;
   many.replace(80, 4, "\xFF\xFF\xFF\xFF");
   EXPECT_EQ(refusal(many),
-            "in/room.stl: has 184 bytes, and as a binary file with 4294967295 triangles (byte 80) it "
-            "would have 214748364834");
+            "in/room.stl: is no STL file, or no whole one: a binary one of 4294967295 triangles (bytes 80 to 83) has "
+            "214748364834 bytes, not 184; one of text begins with solid");
   EXPECT_EQ(refusal("ply\n"),
             "in/room.stl: is no STL file: it does not begin with solid, and it has 4 bytes where a "
             "binary one has 84 or more");
