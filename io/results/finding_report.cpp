@@ -91,7 +91,8 @@ std::string repair_text(const SceneTable& scene, const RepairReport& repair) {
     text += fmt::format("{}: {}: {}\n", where.text(), step.kind, step.message);
   }
   if (repair.steps->empty()) text += scene.file + ": nothing was repaired\n";
-  if (repair.changes == nullptr) return text;
+  const bool is_as_before = repair.changes == nullptr || (repair.changes->empty() && !is_anything_done(*repair.steps));
+  if (is_as_before) return text;
   text += "from,to,before,after\n";
   const auto number = [](const std::optional<double>& value) { return value ? shortest(*value) : std::string(); };
   for (const FactorChange& change : *repair.changes)

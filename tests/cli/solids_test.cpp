@@ -12,6 +12,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 using testing_cli::lines_of;
 using testing_cli::Outcome;
@@ -83,6 +84,17 @@ TEST(Solids, FixSaysSolidAndNothingIsLeftToWarnOf) {
   EXPECT_THAT(place.read("t.json"), HasSubstr("\"behind\": \"solid\""));
   EXPECT_THAT(place.run("hottel check t.json --fix u.json").out, StartsWith("t.json: nothing was repaired"));
   EXPECT_EQ(place.read("u.json"), place.read("t.json"));
+}
+
+TEST(Solids, FixSaysThatItLeavesARoomListedTheWrongWayRound) {
+  const Workplace place;
+  place.write("s.json", scene(kClosed, "[0,0],[4,0],[4,3],[0,3]"));
+  const Outcome outcome = place.run("hottel check s.json --fix t.json");
+  EXPECT_THAT(outcome.out,
+              HasSubstr(": not-repaired: 'room' is left as it is, for it may be meant as a solid: where it "
+                        "is a room, list its points the other way round\n"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("from,to,before,after")));
+  EXPECT_EQ(Json::parse(place.run("hottel check s.json --fix t.json --json").out)["changes"], Json::array());
 }
 
 TEST(Solids, FixClosesAGapFirstAndThenSaysSolid) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/check/chosen_repair.h"
+#include "solver/check/rooms_left.h"
 
 namespace hottel {
 namespace {
@@ -45,7 +46,9 @@ Repair2 repair_scene(const Scene2& scene, const Rational& distance, const SceneC
   std::vector<std::function<Repair2()>> ways{[&] { return stated(unrepaired(scene)); },
                                              [&] { return unrepaired(scene); }};
   if (distance > 0) ways.insert(ways.begin(), [&] { return stated(close_gaps(scene, distance)); });
-  return chosen_repair(before, ways, [&](const Repair2& repair) { return *looks.check_written(repair.scene); });
+  Repair2 repair = chosen_repair(before, ways, [&](const Repair2& some) { return *looks.check_written(some.scene); });
+  tell_rooms_left(scene, before.findings, repair.steps);
+  return repair;
 }
 
 }  // namespace hottel

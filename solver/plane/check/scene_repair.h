@@ -19,7 +19,8 @@ struct RepairLooks2 {
 // reversed (reverse_inside_out), what is behind stated (state_solids), polylines restored (restore_polylines).
 //
 //   (1) the scene that is returned is no worse than before (is_worse). Where it would be it is repaired without closing
-//       gaps, and where that is worse too it stays as it is: what was not done is told (not-repaired)
+//       gaps, and where that is worse too it stays as it is: what was not done is told (not-repaired),
+//       and so are solids that may be meant as rooms (tell_rooms_left)
 //   (2) to repair it once more changes nothing but the order of surfaces
 //   (3) check_written is asked of it last
 // `before`: of the scene.

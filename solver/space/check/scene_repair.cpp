@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "solver/check/chosen_repair.h"
+#include "solver/check/rooms_left.h"
 
 namespace hottel {
 
@@ -17,7 +18,9 @@ Repair3 repair_scene(const Scene3& scene, const Rational& distance, const SceneC
   std::vector<std::function<Repair3()>> ways{[&] { return reversed(unrepaired(scene)); },
                                              [&] { return unrepaired(scene); }};
   if (distance > 0) ways.insert(ways.begin(), [&] { return reversed(close_gaps(scene, distance)); });
-  return chosen_repair(before, ways, [&](const Repair3& repair) { return check_written(repair.scene); });
+  Repair3 repair = chosen_repair(before, ways, [&](const Repair3& some) { return check_written(some.scene); });
+  tell_rooms_left(scene, before.findings, repair.steps);
+  return repair;
 }
 
 }  // namespace hottel

@@ -12,7 +12,8 @@ namespace hottel {
 // reversed (reverse_upside_down).
 //
 //   (1) the scene that is returned is no worse than before (is_worse). Where it would be it is repaired without closing
-//       gaps, and where that is worse too it stays as it is: what was not done is told (not-repaired)
+//       gaps, and where that is worse too it stays as it is: what was not done is told (not-repaired),
+//       and so are solids that may be meant as rooms (tell_rooms_left)
 //   (2) to repair it once more changes nothing
 //   (3) check_written is asked of it last
 // `before`: of the scene; check_written: of a scene as its file is read back.
