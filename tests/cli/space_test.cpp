@@ -134,6 +134,15 @@ TEST(Space, PointsOfSpaceThatAreWrongAreRefused) {
   }
 }
 
+TEST(Space, APlaceBesideAFaceIsToldWhereItIs) {
+  const Workplace place;
+  place.write("room.json", contents(scene_file("cube.json")));
+  const Outcome outcome = place.run("hottel visibility room.json --on floor --at 2,2");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--at 2,2 is no point of 'floor': it is ("));
+  EXPECT_THAT(outcome.err, HasSubstr(", S along the first side, T along the last\n"));
+}
+
 // The fractions of the faces and the sky that the text tells.
 std::vector<double> fractions(const std::string& text) {
   std::vector<double> result;

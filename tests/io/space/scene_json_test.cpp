@@ -85,6 +85,16 @@ TEST(SceneJson3, ReadsEveryPartOfAScene) {
   EXPECT_EQ(scene.expect.size(), 1u);
 }
 
+TEST(SceneJson3, ALightWithoutATypeIsToldWhichThereAre) {
+  try {
+    parse(scene_with("\"lights\": [{\"name\": \"bulb\"}]"));
+    ADD_FAILURE() << "was read";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), StartsWith("in/scene.json:3: light 'bulb' has no \"type\""));
+    EXPECT_THAT(error.hints(), ElementsAre(R"(it may be "point", "spot" or "sun")"));
+  }
+}
+
 TEST(SceneJson3, RefusesWhatBelongsToThePlaneOrIsNotThereYet) {
   EXPECT_EQ(refusal(scene_with("\"edges\": [1]")),
             "in/scene.json:3: edges belong to dimension 2; this scene has dimension 3");
