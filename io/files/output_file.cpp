@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <system_error>
 #include <utility>
 
 #include "io/files/abandoned.h"
@@ -21,7 +22,25 @@ constexpr int kMostNames = 1000;                   // tried before giving up
 
 std::string text_of(int error) { return "cannot be written: " + std::string(std::strerror(error)); }
 
+// The folder that lacks, and the error with which it was not made.
+[[noreturn]] void refuse_folder(const std::filesystem::path& folder, const std::error_code& error) {
+  const std::filesystem::path parent = folder.has_parent_path() ? folder.parent_path() : ".";
+  const std::string why = error == std::errc::no_such_file_or_directory
+                              ? "'" + parent.string() + "' takes no new folders"
+                          : error == std::errc::not_a_directory ? "'" + parent.string() + "' is a file, not a folder"
+                                                                : error.message();
+  throw OutputError(folder.string(), "this folder cannot be made: " + why);
+}
+
 }  // namespace
+
+std::string unwritten_text(const std::filesystem::path& directory, int error) {
+  std::error_code unknown;
+  if (error != ENOENT) return text_of(error);
+  return "cannot be written: " + (std::filesystem::exists(directory, unknown)
+                                      ? "'" + directory.string() + "' takes no new files"
+                                      : "there is no directory '" + directory.string() + "'");
+}
 
 OutputFile::OutputFile(const std::filesystem::path& file)
     : name_(file == "-" ? "standard output" : file.string()), target_(file) {
@@ -80,10 +99,7 @@ void OutputFile::open() {
     if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
     pending_ = {};
     temporary_.clear();
-    std::error_code unknown;
-    if (error == ENOENT && !std::filesystem::exists(directory, unknown))
-      throw OutputError(name_, "cannot be written: there is no directory '" + directory.string() + "'");
-    if (error == ENOENT) throw OutputError(name_, "cannot be written: '" + directory.string() + "' takes no new files");
+    if (error == ENOENT) throw OutputError(name_, unwritten_text(directory, error));
     if (error != EEXIST || k == kMostNames) fail(error);
   }
   if (exists) ::fchmod(descriptor_, status.st_mode & 07777);
@@ -164,14 +180,15 @@ void write_output_file(const std::filesystem::path& file, std::string_view bytes
 OutputFolder::OutputFolder(const std::filesystem::path& folder) {
   if (folder.empty()) throw OutputError("''", "is no name of a folder");
   std::vector<std::filesystem::path> missing;
-  for (std::filesystem::path path = folder; !path.empty() && !std::filesystem::exists(path); path = path.parent_path())
+  std::error_code error;
+  for (auto path = folder; !path.empty() && !std::filesystem::exists(path, error); path = path.parent_path())
     missing.push_back(path);
-  for (auto path = missing.rbegin(); path != missing.rend(); ++path)
-    if (std::error_code error; std::filesystem::create_directory(*path, error))
+  for (auto path = missing.rbegin(); path != missing.rend(); ++path) {
+    if (std::filesystem::create_directory(*path, error))
       made_.emplace_back(*path, PendingRemoval(path->string(), Removal::kEmptyFolder));
-    else if (error)
-      throw OutputError(path->string(), "this folder cannot be made: " + error.message());
-  if (!std::filesystem::is_directory(folder)) throw OutputError(folder.string(), "is a file, not a folder");
+    if (error) refuse_folder(*path, error);
+  }
+  if (!std::filesystem::is_directory(folder, error)) throw OutputError(folder.string(), "is a file, not a folder");
 }
 
 OutputFolder::~OutputFolder() {

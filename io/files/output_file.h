@@ -24,6 +24,10 @@ class OutputError : public std::runtime_error {
   std::string file_;
 };
 
+// Returns why no file can be made in a directory, by the number of the error: "cannot be written: there is no directory
+// 'out'".
+std::string unwritten_text(const std::filesystem::path& directory, int error);
+
 // Nobody reads standard output any more: no reason for a message. The program ends without one, as if all were done.
 class ReaderGone : public std::exception {
  public:

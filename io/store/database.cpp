@@ -65,7 +65,7 @@ bool require_store(const std::string& file, MayCreate may_create) {
     if (may_create == MayCreate::kNo) refuse("there is no such file");
     const std::filesystem::path folder = std::filesystem::path(file).parent_path();
     if (::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
-      throw OutputError(file, "cannot be written: " + std::string(std::strerror(errno)));
+      throw OutputError(file, unwritten_text(folder, errno));
     return false;
   }
   if (S_ISDIR(status.st_mode)) refuse("is a directory, not a store of factors");

@@ -46,9 +46,26 @@ TEST_F(OutputFolderTest, AFolderThatWasThereStays) {
 TEST_F(OutputFolderTest, AFileInTheWayIsAnError) {
   write_output_file(root_ / "a", "a file");
   EXPECT_THROW(OutputFolder(root_ / "a"), OutputError);
-  EXPECT_ANY_THROW(OutputFolder(root_ / "a/b/c"));
+  EXPECT_THROW(OutputFolder(root_ / "a/b/c"), OutputError);
   EXPECT_THROW(OutputFolder(""), OutputError);
   EXPECT_TRUE(fs::is_regular_file(root_ / "a"));
+}
+
+TEST_F(OutputFolderTest, WhatCannotBeMadeIsTold) {
+  const auto why = [](const fs::path& folder) -> std::string {
+    try {
+      const OutputFolder made(folder);
+    } catch (const OutputError& error) {
+      return error.what();
+    }
+    return "made";
+  };
+  EXPECT_EQ(why("/proc/x/y"), "/proc/x: this folder cannot be made: '/proc' takes no new folders");
+  write_output_file(root_ / "a", "a file");
+  EXPECT_EQ(why(root_ / "a/b"), (root_ / "a/b").string() + ": this folder cannot be made: '" + (root_ / "a").string() +
+                                    "' is a file, not a folder");
+  const std::string name(300, 'n');
+  EXPECT_EQ(why(root_ / name), (root_ / name).string() + ": this folder cannot be made: File name too long");
 }
 
 TEST_F(OutputFolderTest, IsRemovedWhereASignalEndsTheProgram) {
