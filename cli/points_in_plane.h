@@ -25,12 +25,12 @@ struct SeenRequest2 {
 
 // The same, once it is found to make sense.
 struct PolygonRequest2 {
-  std::vector<Point2> points;
+  std::vector<Point2> points{};
   PolygonFormat2 format = PolygonFormat2::kCsv;
-  PolygonsOptions2 wanted;
-  std::string out;
+  PolygonsOptions2 wanted{};
+  std::string out{};
   bool has_light = false;
-  PassedOver passed_over;  // of the list
+  PassedOver passed_over{};  // of the list
 };
 
 // Throws UsageError for other endings, and for what a format has no place for; InputError for what is no list of points
