@@ -13,7 +13,9 @@
 #include "geometry/plane/scene/moving_lights.h"
 #include "geometry/space/scene/moving_lights.h"
 #include "io/scene/scene_json.h"
+#include "solver/plane/light/refinement.h"
 #include "solver/plane/simulation/refined.h"
+#include "solver/space/light/refinement.h"
 #include "solver/space/simulation/refined.h"
 #include "tests/solver/dimensions.h"
 
@@ -89,13 +91,13 @@ TYPED_TEST_SUITE(AnimationTest, Moving, MovingNames);
 
 // (1)
 TYPED_TEST(AnimationTest, AFrameIsANewSimulationOfTheSceneAtItsTimeBitForBit) {
-  using Simulation = typename TypeParam::Simulation;
   auto animation = this->animation(TypeParam::kLevels, 1 << 30);
-  const Simulation still = TypeParam::still();
+  const auto still = TypeParam::still();
   for (const Rational& time : {Rational(0), Rational(1, 3), Rational(13, 4), Rational(1, 3)}) {
     const auto frame = animation.at(time);
-    this->expect_same_frame(frame.simulation,
-                            refined(Simulation(scene_after(still.scene(), time), still.request()), TypeParam::kLevels));
+    this->expect_same_frame(
+        frame.simulation,
+        refined(typename TypeParam::Simulation(scene_after(still.scene(), time), still.request()), TypeParam::kLevels));
   }
 }
 

@@ -76,7 +76,8 @@ TEST(SceneCheck3, APlateThatHangsFreeIsNotBlamedForAFloorUpsideDown) {
   const SceneCheck3 check = checked(scene);
   ASSERT_FALSE(check.findings.empty());
   EXPECT_EQ(check.findings[0].kind, "not-closed");
-  EXPECT_EQ(check.findings[0].at.z, 0);
+  ASSERT_TRUE(check.findings[0].at);
+  EXPECT_EQ(check.findings[0].at->z, 0);
   EXPECT_EQ(check.findings[0].message.find("plate"), std::string::npos) << check.findings[0].message;
 }
 
