@@ -56,6 +56,14 @@ void refuse_empty_arguments(int argc, const char* const* argv) {
   }
 }
 
+// An option that was left without its value takes the option that follows for it.
+void refuse_options_as_values(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& value : option->results())
+      if (value.starts_with("--") && command.get_option_no_throw(value) != nullptr)
+        throw UsageError(option->get_name() + " wants a value, and " + value + " is an option");
+}
+
 // The names of all commands, or of the options of one.
 std::vector<std::string> command_names(const CLI::App& program) {
   std::vector<std::string> names;
@@ -237,6 +245,7 @@ ExitCode Commands::parse_and_run(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     const auto chosen = program_.get_subcommands();
     const CLI::App& command = chosen.empty() ? program_ : *chosen.front();
+    refuse_options_as_values(command);
     const std::string name = chosen.empty() ? "hottel" : "hottel " + command.get_name();
     std::string message = error.what();
     if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && chosen.empty()) message = "no command is given";
@@ -261,6 +270,7 @@ ExitCode Commands::parse_and_run(int argc, const char* const* argv) {
     return ExitCode::kUsage;
   }
   const CLI::App* const chosen = program_.get_subcommands().front();
+  refuse_options_as_values(*chosen);
   if (program_.count("--threads") > 0 && chosen->count("--threads") > 0)
     throw UsageError("--threads is given twice, before and after the command");
   std::optional<ThreadLimit> limit;

@@ -14,6 +14,7 @@ std::string short_bytes(double bytes) {
   if (bytes == 1) return "1 byte";
   std::size_t unit = 0;
   for (; bytes >= 999.5 && unit + 1 < std::size(kUnits); ++unit) bytes /= 1000;
+  if (bytes >= 999.5) return fmt::format("{:.1e} {}", bytes, kUnits[unit]);
   return unit == 0 ? fmt::format("{:.0f} {}", bytes, kUnits[unit])
                    : fmt::format("{:.{}f} {}", bytes, bytes < 9.95 ? 1 : 0, kUnits[unit]);
 }

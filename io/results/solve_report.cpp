@@ -151,8 +151,8 @@ std::string dividing_text(const DividingEstimate& estimate) {
   if (places.empty() && !estimate.why_no_pointwise.empty())
     text += "no estimate of how radiosities change within elements: " + estimate.why_no_pointwise + "\n";
   if (means.empty() && !estimate.why_no_face_means.empty())
-    text += "no estimate of how means of faces change, for which pairs of elements are merged: " +
-            estimate.why_no_face_means + "\n";
+    text += "no estimate of how means of faces change, for it merges pairs of elements: " + estimate.why_no_face_means +
+            "\n";
   return text;
 }
 

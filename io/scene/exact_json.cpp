@@ -93,6 +93,12 @@ class JsonBuilder {
     text.erase(std::min(text.find("; last read: "), text.size()));
     if (text.starts_with("unexpected ']'") || text.starts_with("unexpected '}'")) {
       if (is_after_comma()) text = fmt::format("a comma stands before {} with nothing after it", text.substr(11, 3));
+    } else if (is_missing_comma(text)) {
+      text = fmt::format("a comma is missing before {}",
+                         text.starts_with("unexpected '")        ? text.substr(11, 3)
+                         : text.starts_with("unexpected string") ? "a text in double quotes"
+                         : text.starts_with("unexpected number") ? "a number"
+                                                                 : "true, false or null");
     } else if (text.starts_with("invalid literal") || text.starts_with("invalid number")) {
       const std::string token = last_token();
       if (!token.empty())
@@ -102,6 +108,13 @@ class JsonBuilder {
   }
 
  private:
+  // Whether another member follows where a list or an object may only go on after a comma, or end.
+  static bool is_missing_comma(const std::string& text) {
+    return (text.ends_with("; expected ']'") || text.ends_with("; expected '}'")) &&
+           !text.starts_with("unexpected ']'") && !text.starts_with("unexpected '}'") &&
+           !text.starts_with("unexpected ':'") && !text.starts_with("unexpected end");
+  }
+
   // Whether a comma is the last before the character that was read last.
   bool is_after_comma() const {
     const char* at = reached_ - 1;

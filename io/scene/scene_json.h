@@ -49,7 +49,7 @@ Scene changeable(ValidScene scene);
 //       the face, whose own place is Surface::in_mesh
 //
 // Throws InputError with file, line and surface for everything that docs/scene_format.md does not allow, unknown and
-// duplicate keys included. Nothing is ignored but what `passed_over` counts, which a null one does untold.
+// duplicate keys included. Nothing is ignored but what `passed_over` counts; where it is null the same is, uncounted.
 // hottel_files.h has Triangulator3, PassedOver and MapSide2. COST: linear; 10^6 edges take about 5 s.
 ValidScene read_scene(const std::filesystem::path& file, Triangulator3* triangulator = nullptr,
                       PassedOver* passed_over = nullptr, MapSide2 side = {});

@@ -158,7 +158,7 @@ TEST(Solve, EstimatesWhatDividingWouldChange) {
   EXPECT_TRUE(report["seconds"].contains("dividing"));
 
   const Outcome whole = place.run(solve);
-  EXPECT_THAT(whole.err, HasSubstr("for which pairs of elements are merged: 'bottom' is one element"));
+  EXPECT_THAT(whole.err, HasSubstr("for it merges pairs of elements: 'bottom' is one element"));
   const auto lone = nlohmann::json::parse(place.read("out/report.json"))["estimate_of_dividing"];
   EXPECT_TRUE(lone["face_means"].is_null());
   EXPECT_EQ(lone["why_no_face_means"], "'bottom' is one element");

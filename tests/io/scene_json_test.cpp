@@ -203,6 +203,10 @@ TEST(SceneJson, RefusesWhatIsNotJson) {
   EXPECT_EQ(refusal("{\"hottel\": .5}"), "scene.json:1: this is not JSON: '.5' is not understood");
   EXPECT_EQ(refusal("{\"hottel\": 1, \"edges\": [\n1,\n]}"),
             "scene.json:3: this is not JSON: a comma stands before ']' with nothing after it");
+  EXPECT_EQ(refusal("{\"hottel\": 1\n\"edges\": []}"),
+            "scene.json:2: this is not JSON: a comma is missing before a text in double quotes");
+  EXPECT_EQ(refusal("{\"hottel\": 1, \"edges\": [{}\n{}]}"),
+            "scene.json:2: this is not JSON: a comma is missing before '{'");
   EXPECT_EQ(refusal("5"), "scene.json:1: the scene must be an object, not a number");
   EXPECT_EQ(refusal("\n[]"), "scene.json:2: the scene must be an object, not a list");
 }

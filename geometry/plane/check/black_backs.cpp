@@ -68,6 +68,19 @@ std::string loss_text(const Scene2& scene, const ExchangeMatrix& matrix, std::ui
   return text;
 }
 
+// Whether the fronts of these surfaces see nothing but the sky.
+bool face_the_sky(const ExchangeMatrix& matrix, const std::vector<std::uint32_t>& surfaces) {
+  bool has_front = false;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    const Element& element = matrix.elements()[i];
+    if (element.is_back || !matrix.has_row(i) || !std::ranges::binary_search(surfaces, element.surface)) continue;
+    has_front = true;
+    for (const FactorEntry& entry : matrix.row(i))
+      if (entry.to != matrix.sky()) return false;
+  }
+  return has_front;
+}
+
 }  // namespace
 
 bool sees_black_backs_2(const ExchangeMatrix& matrix) {
@@ -98,8 +111,12 @@ BlackBacks2 black_backs(const PreparedScene2& prepared, const FreeRegions2& regi
     if (surfaces.size() > 1)
       message += fmt::format("; so are {} more of {} that others see", surfaces.size() - 1,
                              quoted_name(scene.groups[scene.surfaces[s].group].name));
+    std::string advice = suggestion(scene, s, remedies.of(s));
+    if (face_the_sky(matrix, surfaces))
+      advice = fmt::format("if its front should face {}, list its points the other way round; else {}",
+                           quoted_name(matrix.elements()[losses[s].from].name), advice);
     result.findings.push_back({Severity::kWarning, "black-back", std::move(surfaces), middle(scene.edges[s]),
-                               std::move(message), suggestion(scene, s, remedies.of(s))});
+                               std::move(message), std::move(advice)});
   }
   return result;
 }

@@ -71,6 +71,7 @@ class PlaneReader {
 
   void read_edge(const JsonValue& value, const std::string& default_name) {
     SceneEntry entry = table_.read_entry(value, default_name, "edge");
+    for (const JsonValue point : entry.points.items()) require_kind(point, JsonKind::kArray, {entry.owner, "point"});
     if (entry.points.size() < 2) refuse(entry.points, entry.owner + " has fewer than two points");
     if (entry.points.size() > 2)
       refuse(entry.points, entry.owner + " has " + std::to_string(entry.points.size()) + " points; an edge has two",

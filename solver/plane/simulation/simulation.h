@@ -77,7 +77,7 @@ struct SimulationRequest2 {
   // throws RequestError.
   std::uint64_t memory = 0;
   // Factors that it has are read from it, others are written to it once they are computed. All rows are computed then,
-  // whatever `rows` chooses. No number depends on it.
+  // whatever `rows` chooses. No number depends on it. For the program: no installed header has the type.
   std::shared_ptr<FactorStore> store = {};
 
   friend bool operator==(const SimulationRequest2&, const SimulationRequest2&) = default;
@@ -128,8 +128,9 @@ class Simulation2 {
 
   // The version after an edit. COST: linear in the scene, which is compared with that of this version.
   Simulation2 with_scene(ValidScene2 scene) const;  // throws as the constructor does
-  // The same scene with these trees in place of its own. Throws ContractViolation unless there is one for each surface,
-  // and each is whole (are_whole).
+  // The same scene with these trees in place of its own; an empty one divides nothing further. Throws ContractViolation
+  // unless there is one for each surface, and each that is not empty is whole (are_whole, with 2 children, of
+  // Surface::elements parts).
   Simulation2 with_trees(std::vector<SurfaceTrees> trees) const;
   Simulation2 with_request(SimulationRequest2 request) const;  // throws UsageError as the constructor does
 

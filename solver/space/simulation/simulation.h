@@ -53,7 +53,8 @@ struct FactorsRequest3 {
   // Chooses which rows are computed first, and is called as they are done, on the thread that computes them. Only the
   // exact method uses it. It changes no result, so requests that differ in it alone are equal.
   std::shared_ptr<RowWatch3> watch = nullptr;
-  // Factors that it has are read from it, others are written to it once they are computed. No result depends on it.
+  // Factors that it has are read from it, others are written to it once they are computed. No result depends on it. For
+  // the program, as `watch` is: no installed header has these types.
   std::shared_ptr<FactorStore> store = nullptr;
 
   friend bool operator==(const FactorsRequest3& a, const FactorsRequest3& b) {
