@@ -53,7 +53,7 @@ TEST(External, ApproximateFactorsAreMarkedAsSuch) {
 // A list has no place for a row that it leaves out, so that nothing refuses it.
 TEST(External, ARowThatAListLeavesOutIsNamed) {
   const Workplace place;
-  ASSERT_EQ(place.run("hottel factors " + kBox + " --quiet -o exact.csv").code, 0);
+  ASSERT_EQ(place.run("hottel factors " + kBox + " --per element --quiet -o exact.csv").code, 0);
   std::string without_floor;
   for (const std::string& line : lines_of(place.read("exact.csv")))
     if (!line.starts_with("floor,")) without_floor += line + "\n";
