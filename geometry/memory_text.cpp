@@ -19,12 +19,17 @@ std::string short_bytes(double bytes) {
                    : fmt::format("{:.{}f} {}", bytes, bytes < 9.95 ? 1 : 0, kUnits[unit]);
 }
 
+std::string limit_text(std::uint64_t bytes) {
+  const std::string text = short_bytes(static_cast<double>(bytes));
+  return bytes < 1000 ? text : fmt::format("{} ({} bytes)", text, bytes);
+}
+
 void refuse_memory(const SceneTable& scene, std::uint64_t count, const std::string& what, std::uint64_t each,
                    std::uint64_t limit) {
   const bool is_chosen = limit < memory_allowed() / 2;  // not what is free, which changes from moment to moment
   throw RequestError(fmt::format("about {} {} need about {} of memory; the limit is {}. Allow more {}{}", count, what,
-                                 short_bytes(static_cast<double>(count) * static_cast<double>(each)),
-                                 short_bytes(static_cast<double>(limit)), is_chosen ? "(--memory)" : "memory",
+                                 short_bytes(static_cast<double>(count) * static_cast<double>(each)), limit_text(limit),
+                                 is_chosen ? "(--memory)" : "memory",
                                  is_divided(scene) ? ", or take fewer elements" : ""));
 }
 

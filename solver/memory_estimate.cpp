@@ -105,13 +105,12 @@ std::string memory_problem(const MemoryEstimate& estimate, const MemoryLimits& l
     return fmt::format("about {}{} {} need about {} of memory; the limit is {}{}",
                        elements.count > 0 ? fmt::format("{} {} and ", count_text(elements.count), elements.unit) : "",
                        count_text(pairs.count), pairs.unit, short_bytes(estimate.of_factors()),
-                       short_bytes(static_cast<double>(limits.of_factors)),
-                       remedy_text(limits.of_factors<limits.of_all, elements.count> 0));
+                       limit_text(limits.of_factors), remedy_text(limits.of_factors<limits.of_all, elements.count> 0));
   const auto most = std::max_element(estimate.stages().begin() + 2, estimate.stages().end(),
                                      [](const MemoryStage& a, const MemoryStage& b) { return a.bytes < b.bytes; });
   return fmt::format("the {} of {} {} needs about {} of memory, with all that is there {}; the limit is {}", most->name,
                      count_text(most->count), most->unit, short_bytes(most->bytes), short_bytes(estimate.of_solution()),
-                     short_bytes(static_cast<double>(limits.of_all)));
+                     limit_text(limits.of_all));
 }
 
 void require_memory_for(const SceneTable& scene, const MemoryQuestion& question, std::uint64_t asked,

@@ -83,7 +83,7 @@ TEST(Memory, OfASmallSceneIsPlannedBesideItsEffects) {
   EXPECT_THAT(much.out, StartsWith("plan\n"));
   EXPECT_THAT(much.out, HasSubstr("\nit fits\n"));
   EXPECT_THAT(little.out, StartsWith("plan\n")) << "it fits into the machine";
-  EXPECT_THAT(little.out, HasSubstr("the limit is 1.0 kB. Allow more (--memory), take fewer elements"));
+  EXPECT_THAT(little.out, HasSubstr("the limit is 1.0 kB (1000 bytes). Allow more (--memory), take fewer elements"));
   EXPECT_EQ(little.code, 0);
   EXPECT_THAT(place.run("hottel plan " + kMemoryScenes + "space/cube.json --elements 4").out,
               testing::Not(HasSubstr("memory")));

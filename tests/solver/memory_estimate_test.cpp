@@ -78,7 +78,7 @@ TEST(MemoryEstimate, HoldsNothingAgainstPairsThatWereNotFound) {
   EXPECT_EQ(memory_problem(estimate, {1'000'000, 1'000'000}), "");
   EXPECT_THAT(
       memory_problem(estimate, {500'000, 500'000}),
-      EndsWith("need about 594 kB of memory; the limit is 500 kB. Take fewer elements, or a larger element size"));
+      EndsWith("need about 594 kB of memory; the limit is 500 kB (500000 bytes). Take fewer elements, or a larger element size"));
 }
 
 TEST(MemoryEstimate, CountsWhatIsDividedFurther) {
@@ -87,7 +87,7 @@ TEST(MemoryEstimate, CountsWhatIsDividedFurther) {
   });
   EXPECT_GT(deep.of_factors(), 1e20);
   EXPECT_THAT(memory_problem(deep, {1'000, 1'000'000}),
-              HasSubstr("the limit is 1.0 kB. Allow more (--memory), take fewer elements"));
+              HasSubstr("the limit is 1.0 kB (1000 bytes). Allow more (--memory), take fewer elements"));
 }
 
 template <class AnyScene>
