@@ -18,7 +18,7 @@ TEST(ShortBytes, HaveTwoDigits) {
   EXPECT_EQ(short_bytes(1234), "1.2 kB");
   EXPECT_EQ(short_bytes(99.6e6), "100 MB");
   EXPECT_EQ(short_bytes(4.5e9), "4.5 GB");
-  EXPECT_EQ(short_bytes(2e30), "2000000000000 EB");
+  EXPECT_EQ(short_bytes(2e30), "2.0e+12 EB");
 }
 
 TEST(MemoryRefusal, AdvisesWhatHelps) {
