@@ -104,7 +104,7 @@ TYPED_TEST(AnimationTest, AFrameIsANewSimulationOfTheSceneAtItsTimeBitForBit) {
 // (2)
 TYPED_TEST(AnimationTest, WhatComesBackIsNotComputedAgain) {
   auto animation = this->animation(TypeParam::kLevels, 1 << 30);
-  const auto time = [](int frame) { return Rational(4 * frame) / TypeParam::kFrames; };
+  const auto time = [](int frame) -> Rational { return Rational(4 * frame) / TypeParam::kFrames; };
   std::vector<FrameCounts> first;
   for (int k = 0; k < TypeParam::kFrames; ++k) first.push_back(animation.at(time(k)).counts);
   EXPECT_EQ(first[0].activated, first[0].elements);

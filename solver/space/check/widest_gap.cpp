@@ -60,7 +60,7 @@ class GapFinder {
     for (const Candidate& candidate : found_) most = std::max(most, candidate.sky);
     std::optional<Meshes3::Gap> widest;
     for (const Candidate& candidate : found_)
-      if (candidate.sky >= kLeastPart * most && (!widest || candidate.gap.width > widest->width))
+      if (candidate.sky > 0 && candidate.sky >= kLeastPart * most && (!widest || candidate.gap.width > widest->width))
         widest = candidate.gap;
     return widest;
   }
