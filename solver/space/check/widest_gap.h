@@ -13,9 +13,8 @@ namespace hottel {
 //
 //   (1) gaps are looked for along edges that lie on nothing (Meshes3::bare), and on fronts that see the sky where a
 //       corner of another polygon lies on them beside a side
-//   (2) those count that see the sky, and from whose middle a quarter or more of the sky is seen that is seen from any
-//   of them: what hangs
-//       free within a room sees it through the gaps of others only
+//   (2) those count from whose middle some of the sky is seen, a quarter or more of what is seen from any of them: what
+//       hangs free within a room sees it through the gaps of others only
 //   (3) the width is the distance from the middle of the edge to the nearest other polygon, or of the corner from the
 //       side; rounded
 //
