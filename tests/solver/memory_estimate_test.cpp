@@ -76,9 +76,9 @@ TEST(MemoryEstimate, HoldsNothingAgainstPairsThatWereNotFound) {
   const MemoryEstimate estimate(kSixSides, {}, kBytes, 1e6, none);
   EXPECT_EQ(estimate.of_factors(), 594 * 1000.0);
   EXPECT_EQ(memory_problem(estimate, {1'000'000, 1'000'000}), "");
-  EXPECT_THAT(
-      memory_problem(estimate, {500'000, 500'000}),
-      EndsWith("need about 594 kB of memory; the limit is 500 kB (500000 bytes). Take fewer elements, or a larger element size"));
+  EXPECT_THAT(memory_problem(estimate, {500'000, 500'000}),
+              EndsWith("need about 594 kB of memory; the limit is 500 kB (500000 bytes). Take fewer elements, or a "
+                       "larger element size"));
 }
 
 TEST(MemoryEstimate, CountsWhatIsDividedFurther) {
