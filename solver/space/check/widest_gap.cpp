@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kMostEdges = 64, kMostCorners = 64, kMostFaces = 16;
 constexpr double kLeastPart = 0.25;  // of the sky that any of them sees
+constexpr double kNoSky = 5e-15;     // what a map has of it where none is seen (VisibilityMap3 (4))
 
 double length(const Vector3& v) { return std::sqrt(to_double(dot(v, v))); }
 
@@ -60,7 +61,8 @@ class GapFinder {
     for (const Candidate& candidate : found_) most = std::max(most, candidate.sky);
     std::optional<Meshes3::Gap> widest;
     for (const Candidate& candidate : found_)
-      if (candidate.sky > 0 && candidate.sky >= kLeastPart * most && (!widest || candidate.gap.width > widest->width))
+      if (candidate.sky > kNoSky && candidate.sky >= kLeastPart * most &&
+          (!widest || candidate.gap.width > widest->width))
         widest = candidate.gap;
     return widest;
   }
