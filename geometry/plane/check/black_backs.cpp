@@ -68,17 +68,27 @@ std::string loss_text(const Scene2& scene, const ExchangeMatrix& matrix, std::ui
   return text;
 }
 
-// Whether the fronts of these surfaces see nothing but the sky.
-bool face_the_sky(const ExchangeMatrix& matrix, const std::vector<std::uint32_t>& surfaces) {
-  bool has_front = false;
+// What the front of each surface sees; kNoRow where it has no row.
+enum class FrontSees : unsigned char { kNoRow, kSkyAlone, kSurfaces };
+
+std::vector<FrontSees> seen_by_fronts(const Scene2& scene, const ExchangeMatrix& matrix) {
+  std::vector<FrontSees> seen(scene.surfaces.size(), FrontSees::kNoRow);
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     const Element& element = matrix.elements()[i];
-    if (element.is_back || !matrix.has_row(i) || !std::ranges::binary_search(surfaces, element.surface)) continue;
-    has_front = true;
-    for (const FactorEntry& entry : matrix.row(i))
-      if (entry.to != matrix.sky()) return false;
+    if (element.is_back || !matrix.has_row(i)) continue;
+    const FactorRow row = matrix.row(i);
+    const bool sees_surfaces = row.size() > 0 && row[0].to != matrix.sky();  // the sky is the last
+    seen[element.surface] =
+        std::max(seen[element.surface], sees_surfaces ? FrontSees::kSurfaces : FrontSees::kSkyAlone);
   }
-  return has_front;
+  return seen;
+}
+
+// Whether the fronts of these surfaces see nothing but the sky.
+bool face_the_sky(const std::vector<FrontSees>& seen, const std::vector<std::uint32_t>& surfaces) {
+  FrontSees most = FrontSees::kNoRow;
+  for (const std::uint32_t s : surfaces) most = std::max(most, seen[s]);
+  return most == FrontSees::kSkyAlone;
 }
 
 }  // namespace
@@ -103,6 +113,7 @@ BlackBacks2 black_backs(const PreparedScene2& prepared, const FreeRegions2& regi
     }
   if (result.surfaces.empty()) return result;
   BehindRemedies2 remedies(prepared, regions);
+  const std::vector<FrontSees> seen = seen_by_fronts(scene, matrix);
   for (std::vector<std::uint32_t>& surfaces : lost) {
     if (surfaces.empty()) continue;
     const std::uint32_t s = *std::max_element(surfaces.begin(), surfaces.end(),
@@ -112,7 +123,7 @@ BlackBacks2 black_backs(const PreparedScene2& prepared, const FreeRegions2& regi
       message += fmt::format("; so are {} more of {} that others see", surfaces.size() - 1,
                              quoted_name(scene.groups[scene.surfaces[s].group].name));
     std::string advice = suggestion(scene, s, remedies.of(s));
-    if (face_the_sky(matrix, surfaces))
+    if (face_the_sky(seen, surfaces))
       advice = fmt::format("if its front should face {}, list its points the other way round; else {}",
                            quoted_name(matrix.elements()[losses[s].from].name), advice);
     result.findings.push_back({Severity::kWarning, "black-back", std::move(surfaces), middle(scene.edges[s]),

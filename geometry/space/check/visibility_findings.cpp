@@ -128,11 +128,11 @@ class SightTeller {
                            "if the room should be closed, close it, and promise it: \"closed\": true"});
   }
 
-  // An edge that lies on nothing, of one of these; null where there is none. What hangs free in a room has such edges
-  // too, and is not where it is open.
+  // An edge that lies on nothing, of one of these, which ascend; null where there is none. What hangs free in a room
+  // has such edges too, and is not where it is open.
   const EdgeStretch3* bare_edge_of(const Surfaces& surfaces) const {
     for (const EdgeStretch3& edge : meshes_.bare)
-      if (std::ranges::find(surfaces, edge.uses.front().surface) != surfaces.end()) return &edge;
+      if (std::ranges::binary_search(surfaces, edge.uses.front().surface)) return &edge;
     return nullptr;
   }
 
