@@ -255,12 +255,11 @@ struct SystemInput {
   StagePtr<ComputedFactors3> factors;
   FactorsRequest3 asked;              // of them; not compared
   StagePtr<PreparedScene3> prepared;  // not compared, as before
-  ScenePtr scene;                     // compared in what follows
+  ScenePtr scene;                     // compared in its promise `closed`
   Spectra reflectivities;
-  bool closed = false;
   SystemRequest3 request;
   friend bool operator==(const SystemInput& a, const SystemInput& b) {
-    return a.factors == b.factors && a.reflectivities == b.reflectivities && a.closed == b.closed &&
+    return a.factors == b.factors && a.reflectivities == b.reflectivities && a.scene->closed == b.scene->closed &&
            a.request == b.request;
   }
 };
@@ -271,7 +270,7 @@ RadiositySolver make_system(const SystemInput& input, const StageProgress& progr
   if (input.asked.method == nullptr) {
     require_closed(*input.scene, factors->matrix);
   } else {  // an error of the method is none of the scene
-    if (input.closed) require_closed(*input.prepared->get(progress));
+    if (input.scene->closed) require_closed(*input.prepared->get(progress));
     require_not_negative(factors->matrix, input.scene->file, input.asked.method->info().name);
   }
   return with_file_context(input.scene->file, [&] {
@@ -446,7 +445,7 @@ struct Simulation3::Version {
   void set_radiosities(const Version* before) {
     system = node_of("radiosity",
                      SystemInput{factors.stage, request.factors, prepared.stage, scene,
-                                 Spectra{reflectivities_of(scene->materials)}, scene->closed, request.system},
+                                 Spectra{reflectivities_of(scene->materials)}, request.system},
                      member_of(before, &Version::system), make_system);
     radiosities = node_of(
         "radiosity",
