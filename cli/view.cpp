@@ -74,7 +74,7 @@ Scene scene_of(const ViewOptions& options, const Streams& streams) {
   return changeable(read_scene_noting(options.scene, options.polygons, streams));
 }
 
-// The viewer of the scene, whatever its dimension. Its file may be read again.
+// The viewer of a scene of either dimension. Its file may be read again.
 std::unique_ptr<Viewer> viewer_of(const ViewOptions& options, Scene scene, Window& window) {
   std::unique_ptr<Viewer> viewer;
   if (Scene3* const space = std::get_if<Scene3>(&scene)) {

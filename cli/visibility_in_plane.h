@@ -17,7 +17,7 @@ struct SightRequest2 {
   bool is_drawn = false;
 };
 
-// Throws UsageError for what makes no sense; UnknownName for faces that there are not; RequestError where it is drawn
+// Throws UsageError for what makes no sense; UnknownName for unknown faces; RequestError where it is drawn
 // and cannot be. REQUIRES a simulation by faces, which outlives the answer.
 ShownAnswer visibility_in_plane(const SightRequest2& asked, const Simulation2& simulation, const Streams& streams);
 

@@ -102,8 +102,8 @@ struct Element {
   // None: an opaque black back, which has a column but no row. Of a group with several materials that of the last
   // surface that has any: factors need no more.
   std::optional<std::uint32_t> material;
-  // What of it is not owned by others: its area [m²], in the plane its length [m], whatever unit the scene is typed in;
-  // in the scene's unit where that is not known (SceneTable::unit). 0 where others own all of it.
+  // What of it is not owned by others: its area [m²], in the plane its length [m], also of a scene that is typed in
+  // another unit; in the scene's unit where that is not known (SceneTable::unit). 0 where others own all of it.
   Rounded area;
   TreePath path{};  // under its part
 

@@ -32,7 +32,7 @@ std::vector<std::string> near_name_hints(std::string_view name, std::span<const 
 // A name was asked for that does not exist: a UsageError with hints below its line.
 //
 //   (1) what() is the text as it was given
-//   (2) hints() are near_name_hints of the known names, or where none is near what there is, if that is told
+//   (2) hints() are near_name_hints of the known names; where none is near, `there_is`
 class UnknownName : public UsageError {
  public:
   // Of the known names those near to `name` are offered. `there_is`: "its surfaces are 'wall' and 'door'", or empty.
