@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include "cli/command.h"
@@ -40,8 +39,7 @@ class RepairedFile {
   // Opens a scene file; the files of a mesh are opened when they are written. Throws OutputError.
   RepairedFile(const std::string& file, const std::filesystem::path& scene) : file_(file), mesh_(mesh_format_3(file)) {
     if (!mesh_) text_.emplace(file);
-    std::error_code missing;
-    is_input_ = std::filesystem::equivalent(file, scene, missing) && !missing;
+    is_input_ = is_same_file(file, scene);
   }
 
   // Writes a mesh, or holds the text of a scene file until commit().

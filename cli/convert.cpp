@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <string>
-#include <system_error>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -44,11 +43,8 @@ std::string reflectivities(const std::vector<std::string>& materials, const Rati
 
 // Files that the scene is made of stay as they are; the scene itself may be rewritten in its place.
 void require_unread_output(const ConvertOptions& options, const SceneTable& scene) {
-  for (const std::string& source : scene.sources) {
-    std::error_code missing;
-    if (!std::filesystem::equivalent(source, options.in, missing))
-      require_not_read("OUT " + options.out, options.out, options.in, source);
-  }
+  for (const std::string& source : scene.sources)
+    if (!is_same_file(source, options.in)) require_not_read("OUT " + options.out, options.out, options.in, source);
 }
 
 // A scene as the file that is asked for has it: as text, or read already.

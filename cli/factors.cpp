@@ -20,6 +20,7 @@
 #include "io/scene/space/vs3_reader.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/with_file_context.h"
+#include "solver/method_catalogue.h"
 #include "solver/plane/simulation/simulation.h"
 #include "viewer/picture/plane/factor_picture.h"
 
@@ -101,11 +102,8 @@ void require_sense(const FactorsOptions& options) {
     throw UsageError("--script-f is written as --matrix factor, not --matrix " + options.matrix);
   if (options.script_f && options.pairs != "visible")
     throw UsageError("--script-f lists all pairs that exchange heat: it goes with --pairs visible only");
-  if (std::string file = options.method; file.starts_with("file:")) {
-    file.erase(0, 5);
-    if (file.ends_with(":normalised")) file.erase(file.rfind(':'));
-    require_not_read("-o " + options.out, options.out, "--method", file);
-  }
+  if (const std::string method = split_method_name(options.method).raw; method.starts_with("file:"))
+    require_not_read("-o " + options.out, options.out, "--method", method.substr(5));
   require_sense_of_digits(options);
   require_sense_of_rows(options);
   require_sense_of_folders(options);

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 #include <string>
-#include <system_error>
 #include <vector>
 
+#include "cli/scene_input.h"
 #include "io/scene/space/mesh_writer.h"
 #include "kernel/support/failure.h"
 
@@ -14,12 +14,10 @@ namespace {
 
 // Materials go beside a mesh, where nobody has named a file: nothing that was read is there.
 void require_unread(const Scene3& scene, const std::string& out, const std::filesystem::path& library) {
-  for (const std::string& source : scene.sources) {
-    std::error_code missing;
-    if (std::filesystem::equivalent(source, library, missing) && !missing)
+  for (const std::string& source : scene.sources)
+    if (is_same_file(source, library))
       throw UsageError("the materials of " + out + " would overwrite " + library.string() +
                        ", from which the scene was read: choose another name");
-  }
 }
 
 }  // namespace

@@ -130,10 +130,14 @@ void ElementOptions::apply_to(Scene3& scene) const { divide(scene, *this); }
 void ElementOptions::apply_to(ValidScene2& scene) const { divide(scene, *this); }
 void ElementOptions::apply_to(ValidScene3& scene) const { divide(scene, *this); }
 
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code missing;
+  return std::filesystem::equivalent(a, b, missing) && !missing;
+}
+
 void require_not_read(const std::string& output, const std::filesystem::path& written, const std::string& reader,
                       const std::filesystem::path& read) {
-  std::error_code missing;
-  if (std::filesystem::equivalent(written, read, missing) && !missing)
+  if (is_same_file(written, read))
     throw UsageError(output + " is a file that " + reader + " reads: give the output another name");
 }
 

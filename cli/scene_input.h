@@ -73,6 +73,8 @@ struct ElementOptions {
 // output.
 std::filesystem::path output_folder(const std::string& option, const std::string& scene);
 
+// Whether two names are of one file, which is there.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 // Throws UsageError where a file that is to be written is one that is read. output, reader: what messages call them, as
 // "-o x.csv" and "--points".
 void require_not_read(const std::string& output, const std::filesystem::path& written, const std::string& reader,

@@ -46,7 +46,7 @@ void require_sense_of_sums(const SolveOptions& options) {
                      " is for the method exact with --solver auto or cg, without --store and --levels");
 }
 
-// What can be said of options before the scene is read, whatever its dimension.
+// What can be said of options before the scene is read, of either dimension.
 void require_sense(const SolveOptions& options) {
   options.levels.require_sense();
   solver_of(options, options.method == "exact");

@@ -69,7 +69,7 @@ struct Pictured {
 
   Pictured(const SolveOptions& options, const Scene2& scene)
       : shown(shown_of(options)),
-        is_wanted(!options.no_picture && (!options.no_illumination || !shown.is_light())),
+        is_wanted(wants_picture(options, shown)),
         shows_cells(shows_cells_2(options, shown, scene)) {}
 
   bool is_of_grids() const { return is_wanted && (shown.is_light() || shows_cells); }
@@ -122,9 +122,8 @@ class PlaneOutputs {
 
   std::string told() const {
     const SolveOptions& options = run_.options;
-    const std::string pictures = pictured_.is_of_grids() ? names_of_grid_files(options.render, grids_) : options.render;
-    return (options.views.empty() ? "" : "\nwhat the cells see: " + names_of_grid_files(options.views, grids_)) +
-           (options.render.empty() ? "" : "\nthe picture: " + pictures);
+    return told_elsewhere(options, grids_,
+                          pictured_.is_of_grids() ? names_of_grid_files(options.render, grids_) : options.render);
   }
 
  private:
@@ -168,9 +167,7 @@ void solve_in_plane(const SolveOptions& options, ValidScene2 scene, double secon
   scene.set_grids(grids_of(*scene, options.grid));
   const std::filesystem::path directory = output_folder(options.out, options.scene);
   const std::vector<Grid2> grids = options.no_illumination ? std::vector<Grid2>() : scene->grids;
-  for (const Grid2& grid : grids)
-    require_room_for_light(options, cells_text(grid), grid.cells(), channel_count(*scene), "take a coarser --grid",
-                           directory);
+  require_room_for_grids(options, grids, *scene, directory);
   const auto on_disk = options.sums.is_given() ? std::make_shared<const ExactOnDisk2>(options.sums.request()) : nullptr;
   SimulationRequest2 request = request_of(options, *scene, pictured, on_disk);
   const Simulation2 simulation =

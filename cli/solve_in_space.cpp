@@ -44,8 +44,6 @@ namespace {
 
 // Throws UsageError where an option is about the cells of a grid and the scene has no grid.
 void require_grid(const SolveOptions& options, const Scene3& scene) {
-  if (options.exr) require_exr("--exr");
-  if (!options.views.empty()) require_sense_of_views(options.views, options.illumination);
   require_sense_of_volumes(options, scene);
   if (!scene.grids.empty()) return;
   if (options.illumination != SolveOptions().illumination)
@@ -235,7 +233,7 @@ class SpaceOutputs {
     if (!options.views.empty())
       for (const Grid3& grid : grids) add_views(grid);
     if (texels) texels_.emplace(options, *texels, run.files);
-    if (!options.no_picture && (!options.no_illumination || !shown.is_light())) png_ = &run.files.add("render.png");
+    if (wants_picture(options, shown)) png_ = &run.files.add("render.png");
     if (renders_array(options))
       numbers_.emplace(options, run.files);
     else if (!options.render.empty())
@@ -264,11 +262,7 @@ class SpaceOutputs {
     report.seconds["picture"] += watch.lap();
   }
 
-  std::string told() const {
-    const SolveOptions& options = run_.options;
-    return (options.views.empty() ? "" : "\nwhat the cells see: " + names_of_grid_files(options.views, grids_)) +
-           (options.render.empty() ? "" : "\nthe picture: " + options.render);
-  }
+  std::string told() const { return told_elsewhere(run_.options, grids_, run_.options.render); }
 
  private:
   Granularity granularity() const { return run_.simulation.request().factors.granularity; }
@@ -331,9 +325,7 @@ void solve_in_space(const SolveOptions& options, ValidScene3 scene, double secon
   require_room_for_solving(*scene, options.memory, options.levels);
   const std::filesystem::path directory = output_folder(options.out, options.scene);
   const std::vector<Grid3> grids = options.no_illumination ? std::vector<Grid3>() : grids_of(*scene, options.grid);
-  for (const Grid3& grid : grids)
-    require_room_for_light(options, cells_text(grid), grid.cells(), channel_count(*scene), "take a coarser --grid",
-                           directory);
+  require_room_for_grids(options, grids, *scene, directory);
   const SimulationRequest3 request = request_of(options, *scene, grids, texels ? texels->grid.cells() : 0);
   const Simulation3 simulation =
       refined(Simulation3(std::move(scene), request), options.levels.levels(), streams.stages());

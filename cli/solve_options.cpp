@@ -37,6 +37,10 @@ LightTest light_test_of(const SolveOptions& options, const SceneTable& scene) {
   return *light_test(options.lights);
 }
 
+bool wants_picture(const SolveOptions& options, const Shown& shown) {
+  return !options.no_picture && (!options.no_illumination || !shown.is_light());
+}
+
 bool renders_array(const SolveOptions& options) { return options.render.ends_with(".npy"); }
 
 bool renders_numbers(const SolveOptions& options) { return renders_array(options) || is_exr(options.render); }

@@ -70,6 +70,9 @@ void require_room_for_light(const SolveOptions& options, const std::string& its_
 // is a picture.
 Shown shown_of(const SolveOptions& options);
 
+// Whether there is a picture: without light one of what --show has on faces.
+bool wants_picture(const SolveOptions& options, const Shown& shown);
+
 // Whether --render asks for an array of the light of pixels; and for their light as an array or an OpenEXR file, before
 // any tone curve.
 bool renders_array(const SolveOptions& options);

@@ -1,14 +1,19 @@
-// What hottel solve does with a simulation, whatever its dimension: factors, radiosities, tables, light, the report.
+// What hottel solve does with a simulation of either dimension: factors, radiosities, tables, light, the report.
 #pragma once
 
+#include <filesystem>
+#include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "cli/machine_speed.h"
+#include "cli/scene_input.h"
 #include "cli/solve_files.h"
 #include "cli/solve_options.h"
 #include "cli/streams.h"
 #include "cli/unit_notes.h"
+#include "io/results/grid_file.h"
 #include "io/results/plane/check_report.h"
 #include "io/results/solve_report.h"
 #include "io/results/space/check_report.h"
@@ -49,6 +54,22 @@ Plan told_plan(const SolveOptions& options, const Simulation& simulation, Stream
   return plan;
 }
 
+// Throws RequestError where light on these grids needs more memory or disk than there is.
+template <class Grid>
+void require_room_for_grids(const SolveOptions& options, const std::vector<Grid>& grids, const SceneTable& scene,
+                            const std::filesystem::path& directory) {
+  for (const Grid& grid : grids)
+    require_room_for_light(options, cells_text(grid), grid.cells(), channel_count(scene), "take a coarser --grid",
+                           directory);
+}
+
+// Names the files of a run outside its folder: lines for people, each after a newline. pictures: those of --render.
+template <class Grid>
+std::string told_elsewhere(const SolveOptions& options, const std::vector<Grid>& grids, const std::string& pictures) {
+  return (options.views.empty() ? "" : "\nwhat the cells see: " + names_of_grid_files(options.views, grids)) +
+         (options.render.empty() ? "" : "\nthe picture: " + pictures);
+}
+
 // What a run solves, and where its results go.
 template <class Simulation>
 struct SolveRun {
@@ -66,7 +87,7 @@ struct SolveRun {
 //   write_elements(solved, report)  writes what elements have: pictures or meshes of them
 //   write_light(solved, report)     writes light between the faces, and pictures of it; adds what the report says of
 //                                   them, and the seconds that they took
-//   told()                          names what was written outside the folder: lines for people, each after a newline
+//   told()                          told_elsewhere()
 template <class Simulation, class Outputs>
 void solve_and_write(const SolveRun<Simulation>& run, Outputs& outputs) {
   const auto& [options, simulation, plan, seconds_to_read, files, streams] = run;
