@@ -23,6 +23,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -67,6 +68,9 @@ class Commands {
   // How many threads may work where --threads is not given. REQUIRES threads >= 1.
   void set_threads(int threads) { threads_ = threads; }
 
+  // How long work may take to heed a signal that asks it to stop (cli/signals.h); a second where it is not set.
+  void set_patience(std::chrono::milliseconds patience) { patience_ = patience; }
+
   // Parses the command line, runs the command and returns the exit code of the program. Does not throw.
   int run(int argc, const char* const* argv) noexcept;
 
@@ -78,6 +82,7 @@ class Commands {
   std::function<ExitCode(Streams&)> chosen_;
   bool is_quiet_ = false;
   int threads_ = 0;  // 0: as many as there are cores
+  std::chrono::milliseconds patience_{1000};
 };
 
 // Each adds one command, with its options and examples (cli/NAME.cpp).

@@ -1,5 +1,6 @@
 #include "cli/signals.h"
 
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -21,24 +22,27 @@ namespace {
 std::atomic<int> asked_by{0};  // the signal that asked for a stop
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler sets it");
 
+itimerval patience_from_now{};
+
 }  // namespace
 
 extern "C" {
 
-// What was asked to stop has not within a second.
+// What was asked to stop has not.
 static void hottel_on_alarm(int) { end_now(asked_by == 0 ? SIGINT : asked_by.load()); }
 
 static void hottel_on_stop(int signal) {
   if (interrupted()) end_now(signal);
   asked_by = signal;
   request_interrupt();
-  ::alarm(1);
+  ::setitimer(ITIMER_REAL, &patience_from_now, nullptr);  // as alarm() does, to the millisecond
 }
 }
 
 int code_of_interruption() { return 128 + (asked_by == 0 ? SIGINT : asked_by.load()); }
 
-void install_signal_handlers() {
+void install_signal_handlers(std::chrono::milliseconds patience) {
+  patience_from_now.it_value = {.tv_sec = patience.count() / 1000, .tv_usec = patience.count() % 1000 * 1000};
   struct sigaction action {};
   sigfillset(&action.sa_mask);
   action.sa_handler = hottel_on_alarm;

@@ -4,11 +4,14 @@
 #include <sched.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
 #include <thread>
 #include <vector>
 
+#include "io/files/pending_removal.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -36,12 +39,26 @@ int ranks_on_the_cores_of_this_one(MPI_Comm machine) {
   return static_cast<int>(std::ranges::count_if(all, [&](const cpu_set_t& set) { return CPU_EQUAL(&set, &mine); }));
 }
 
+// What MPI cannot do ends the job; it would leave temporary files behind.
+void end_job(MPI_Comm* communicator, int* error, ...) {
+  remove_pending();
+  std::array<char, MPI_MAX_ERROR_STRING> text{};
+  int length = 0;
+  MPI_Error_string(*error, text.data(), &length);
+  std::fprintf(stderr, "hottel-mpi: %.*s\n", length, text.data());
+  MPI_Abort(*communicator, 1);
+}
+
 }  // namespace
 
 Channel::Channel(int& argc, char**& argv) {
   int provided = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &provided);
   HOTTEL_REQUIRE(provided >= MPI_THREAD_SERIALIZED);
+  MPI_Errhandler handler = MPI_ERRHANDLER_NULL;
+  MPI_Comm_create_errhandler(end_job, &handler);
+  MPI_Comm_set_errhandler(MPI_COMM_WORLD, handler);
+  MPI_Errhandler_free(&handler);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks_);
   MPI_Comm here = MPI_COMM_NULL;

@@ -1,5 +1,6 @@
 // The program `hottel-mpi`: the same as `hottel`, whose view factors and radiosities several processes compute.
 #include <algorithm>
+#include <chrono>
 #include <memory>
 
 #include "cli/command.h"
@@ -15,6 +16,9 @@ namespace hottel {
 namespace {
 
 constexpr char kPlane = '2', kSpace = '3', kRows = 'r';
+
+// mpirun kills a rank a second after it has asked it to end.
+constexpr std::chrono::milliseconds kPatience{400};
 
 // Jobs of all kinds.
 class AllJobs : public HelperJobs {
@@ -44,6 +48,7 @@ int lead(Channel& channel, int argc, const char* const* argv) {
     const CrewScope<RowCrew> of_systems(rows);
     Commands commands;
     add_all_commands(commands);
+    commands.set_patience(kPatience);
     commands.set_threads(std::max(1, threads_allowed() / channel.ranks_on_these_cores()));
     code = commands.run(argc, argv);
   }
