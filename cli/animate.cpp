@@ -377,7 +377,9 @@ void add_animate(Commands& commands) {
                   "in space: what each pair may be off, relative to the smaller of both areas (1e-9)")
       ->type_name("T");
   options->guarantee.add_to(command);
-  command.add_option("--memory", options->memory, "bytes that factors may take; without it 80 % of what is free")
+  command
+      .add_option("--memory", options->memory,
+                  "bytes that factors may take, and light in the plane; without it 80 % of what is free")
       ->type_name("BYTES")
       ->transform(whole_number(1));
   command.add_flag("--no-film", options->no_film, "frames only: neither animation.png nor animation.mp4");

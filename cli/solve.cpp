@@ -255,7 +255,9 @@ void add_solve(Commands& commands) {
       "in the plane: view factors go to files in this folder while the run lasts, so that factors and radiosities keep "
       "to --memory beside the scene, however many pairs there are; the same result",
       "the same, and the files stay where the run is ended: the same command goes on from there");
-  command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
+  command
+      .add_option("--memory", options->memory,
+                  "bytes the factors may take, and light in the plane; without it 80 % of what is free")
       ->type_name("BYTES")
       ->transform(whole_number(1));
   command

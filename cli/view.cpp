@@ -177,7 +177,9 @@ void add_view(Commands& commands) {
   command.add_option("--record", options->record, "write every frame as a PNG file into this folder")->type_name("DIR");
   options->elements.add_to(command);
   options->polygons.add_front_to(command);
-  command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
+  command
+      .add_option("--memory", options->memory,
+                  "bytes the factors may take, and light in the plane; without it 80 % of what is free")
       ->type_name("BYTES")
       ->transform(whole_number(1));
 }

@@ -99,6 +99,9 @@ class JsonBuilder {
                          : text.starts_with("unexpected string") ? "a text in double quotes"
                          : text.starts_with("unexpected number") ? "a number"
                                                                  : "true, false or null");
+    } else if (text.starts_with("unexpected number") && text.ends_with("; expected string literal")) {
+      refuse("this is not JSON: a number stands after a comma where the name of a member is expected",
+             {"decimals have a point: 0.5, not 0,5"});
     } else if (text.starts_with("invalid literal") || text.starts_with("invalid number")) {
       const std::string token = last_token();
       if (!token.empty())

@@ -207,6 +207,8 @@ TEST(SceneJson, RefusesWhatIsNotJson) {
             "scene.json:2: this is not JSON: a comma is missing before a text in double quotes");
   EXPECT_EQ(refusal("{\"hottel\": 1, \"edges\": [{}\n{}]}"),
             "scene.json:2: this is not JSON: a comma is missing before '{'");
+  EXPECT_EQ(refusal("{\"hottel\": 0,5}"),
+            "scene.json:1: this is not JSON: a number stands after a comma where the name of a member is expected");
   EXPECT_EQ(refusal("5"), "scene.json:1: the scene must be an object, not a number");
   EXPECT_EQ(refusal("\n[]"), "scene.json:2: the scene must be an object, not a list");
 }
