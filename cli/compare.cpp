@@ -189,12 +189,12 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
   const auto methods = methods_to_run(methods_there_are, named);
   require_effect(options, methods_there_are, methods, radiosity_files);
 
-  const std::optional<TexelFile> texels = texels_asked(options, scene);
+  const std::optional<TexelFile> texels = texels_asked(options, *scene);
   const std::filesystem::path directory = output_folder(options.out, options.scene);
 
   options.elements.apply_to(scene);
-  require_room_for_solving(scene, {});
-  if (!options.map.empty()) require_map(scene);
+  require_room_for_solving(*scene, {});
+  if (!options.map.empty()) require_map(*scene);
   const std::string stem = std::filesystem::path(options.scene).stem().string();
   const OutputFolder folder(directory);
   OutputFile csv(directory / "compare.csv"), worst(directory / "worst.csv"), read(directory / "readings.csv"),
@@ -295,11 +295,11 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
 }
 
 ExitCode compare(const CompareOptions& options, Streams& streams) {
-  Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams));
+  ValidScene scene = read_scene_noting(options.scene, options.polygons, streams);
   if (!options.divide.empty()) return compare_divided(options, std::move(scene), streams);
-  if (auto* const in_space = std::get_if<Scene3>(&scene))
+  if (auto* const in_space = std::get_if<ValidScene3>(&scene))
     return compare_in<ComparedSpace>(options, std::move(*in_space), streams);
-  return compare_in<ComparedPlane>(options, std::get<Scene2>(std::move(scene)), streams);
+  return compare_in<ComparedPlane>(options, std::get<ValidScene2>(std::move(scene)), streams);
 }
 
 }  // namespace

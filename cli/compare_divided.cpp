@@ -113,7 +113,7 @@ ExitCode compare_divided_in(const CompareOptions& options, const typename Kind::
   require_divisions(options);
   typename Kind::Scene finest_parts = scene;  // they take the most
   ElementOptions{options.divide.back(), {}}.apply_to(finest_parts);
-  require_room_for_solving(finest_parts, {});
+  require_room_for_solving(*finest_parts, {});
   const auto catalogue = Kind::methods();
   const std::vector<NamedMethod> named = methods_besides_exact(catalogue, options);
   const std::filesystem::path directory = output_folder(options.out, options.scene);
@@ -158,7 +158,7 @@ ExitCode compare_divided_in(const CompareOptions& options, const typename Kind::
 
   set_orders(means, results);
   const std::vector<DividedMean> by_face =
-      divided_means(scene, results, means, channels, Kind::resolution_of_factors(options));
+      divided_means(*scene, results, means, channels, Kind::resolution_of_factors(options));
 
   std::vector<MethodResult> drawn;
   for (const DividedResult& each : results) {
@@ -185,10 +185,10 @@ ExitCode compare_divided_in(const CompareOptions& options, const typename Kind::
 
 }  // namespace
 
-ExitCode compare_divided(const CompareOptions& options, Scene scene, Streams& streams) {
-  if (const auto* const in_space = std::get_if<Scene3>(&scene))
+ExitCode compare_divided(const CompareOptions& options, const ValidScene& scene, Streams& streams) {
+  if (const auto* const in_space = std::get_if<ValidScene3>(&scene))
     return compare_divided_in<ComparedSpace>(options, *in_space, streams);
-  return compare_divided_in<ComparedPlane>(options, std::get<Scene2>(scene), streams);
+  return compare_divided_in<ComparedPlane>(options, std::get<ValidScene2>(scene), streams);
 }
 
 }  // namespace hottel

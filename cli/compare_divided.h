@@ -11,6 +11,6 @@ namespace hottel {
 // of each are the row `exact`. A command (run:) is told the division by {elements} in it. Throws UsageError for fewer
 // than two divisions, or such that do not ascend, for file:, which has one division, and for a command without
 // {elements}.
-ExitCode compare_divided(const CompareOptions& options, Scene scene, Streams& streams);
+ExitCode compare_divided(const CompareOptions& options, const ValidScene& scene, Streams& streams);
 
 }  // namespace hottel

@@ -57,7 +57,7 @@ struct CompareOptions {
 
 // What comparing needs of the plane.
 struct ComparedPlane {
-  using Scene = Scene2;
+  using Scene = ValidScene2;
   using Prepared = PreparedScene2;
   using Comparison = MethodComparison2;
   using Explainer = PairExplainer2;
@@ -76,7 +76,7 @@ struct ComparedPlane {
 
 // What it needs of space.
 struct ComparedSpace {
-  using Scene = Scene3;
+  using Scene = ValidScene3;
   using Prepared = PreparedScene3;
   using Comparison = MethodComparison3;
   using Explainer = PairExplainer3;

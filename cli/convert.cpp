@@ -125,29 +125,29 @@ void convert_mesh(const ConvertOptions& options, Streams& streams) {
 }
 
 void convert_scene(const ConvertOptions& options, Streams& streams) {
-  const Scene scene = changeable(read_scene_noting(options.in, options.polygons, streams));
-  const auto* space = std::get_if<Scene3>(&scene);
+  const ValidScene scene = read_scene_noting(options.in, options.polygons, streams);
+  const auto* space = std::get_if<ValidScene3>(&scene);
   if (const auto format = mesh_format_3(options.out)) {
     if (space == nullptr)
       throw InputError({options.in, 0},
                        "the scene is in the plane (dimension 2); a mesh is in space: write .json or .hs");
-    return write_as_mesh(options, *format, *space, streams);
+    return write_as_mesh(options, *format, **space, streams);
   }
-  if (space && !is_binary_scene_name(options.out)) note_lost_planes(*space, streams);
-  std::visit([&](const auto& any) { write_as_scene(options, any, streams); }, scene);
+  if (space && !is_binary_scene_name(options.out)) note_lost_planes(**space, streams);
+  std::visit([&](const auto& any) { write_as_scene(options, *any, streams); }, scene);
 }
 
 // Reads the scene of a file, in space, and writes it to a deck, combined per "face" or "group"; empty: a deck per
 // group, anything else per face. Remarks tell what the deck does not say. Throws InputError for a scene in the plane.
 void write_deck(const ConvertOptions& options, const Streams& streams) {
   const std::string &in = options.in, &per = options.per;
-  const Scene scene = changeable(read_scene_noting(in, options.polygons, streams));
-  const Scene3* const in_space = std::get_if<Scene3>(&scene);
+  const ValidScene scene = read_scene_noting(in, options.polygons, streams);
+  const auto* const in_space = std::get_if<ValidScene3>(&scene);
   if (in_space == nullptr)
     throw InputError({in, 0}, "the scene is in the plane (dimension 2); a deck (.vs3) is in space");
-  require_unread_output(options, *in_space);
+  require_unread_output(options, **in_space);
   const bool combines_groups = per.empty() ? is_vs3(in) : per == "group";
-  const WrittenVs3Deck3 deck = with_file_context(in, [&] { return write_vs3_3(*in_space, combines_groups); });
+  const WrittenVs3Deck3 deck = with_file_context(in, [&] { return write_vs3_3(**in_space, combines_groups); });
   streams.write(options.out, deck.text);
   for (const std::string& note : deck.notes) streams.note(one_line(note));
 }

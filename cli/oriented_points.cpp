@@ -87,19 +87,19 @@ LightOfScene light_of(const Simulation3& simulation, const StageProgress& progre
           }};
 }
 
-LightOfScene light_of(Scene scene, const StageProgress& progress) {
-  if (auto* const plane = std::get_if<Scene2>(&scene)) return light_of(Simulation2(std::move(*plane)), progress);
-  Scene3& space = std::get<Scene3>(scene);
-  const Granularity granularity = is_divided(space) ? Granularity::kElement : Granularity::kFace;
+LightOfScene light_of(ValidScene scene, const StageProgress& progress) {
+  if (auto* const plane = std::get_if<ValidScene2>(&scene)) return light_of(Simulation2(std::move(*plane)), progress);
+  auto& space = std::get<ValidScene3>(scene);
+  const Granularity granularity = is_divided(*space) ? Granularity::kElement : Granularity::kFace;
   return light_of(Simulation3(std::move(space), {.factors = {.granularity = granularity}}), progress);
 }
 
 }  // namespace
 
-void write_oriented_light(const OrientedPointsInput& input, Scene scene, Streams& streams) {
+void write_oriented_light(const OrientedPointsInput& input, ValidScene scene, Streams& streams) {
   if (!input.out.empty() && input.out != "-" && std::filesystem::path(input.out).extension() != ".csv")
     throw UsageError("the light at points with normals is written as .csv, not '" + input.out + "'");
-  const int dimension = std::holds_alternative<Scene2>(scene) ? 2 : 3;
+  const int dimension = std::holds_alternative<ValidScene2>(scene) ? 2 : 3;
   const std::vector<OrientedPoint> points = read_oriented_points(input.text, input.name, dimension);
   streams.write_with(input.out, [&](OutputFile& file) {
     const LightOfScene light = light_of(std::move(scene), streams.stages());

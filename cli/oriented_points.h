@@ -20,6 +20,6 @@ struct OrientedPointsInput {
 
 // Solves the scene, with its elements, and writes a csv with a line for each point (OrientedLightCsv). Tells how many
 // points have no light. Throws UsageError where the file is no csv, and what reading points and solving throw.
-void write_oriented_light(const OrientedPointsInput& input, Scene scene, Streams& streams);
+void write_oriented_light(const OrientedPointsInput& input, ValidScene scene, Streams& streams);
 
 }  // namespace hottel

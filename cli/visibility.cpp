@@ -72,7 +72,7 @@ ExitCode light_at_points(const VisibilityOptions& options, OrientedPointsInput i
     if (is_given) throw UsageError(std::string(option) + " is for polygons; points with normals have none");
   if (options.guarantee.asked)
     throw UsageError("--guarantee is for what points see; the light at points with normals has no proven bounds");
-  write_oriented_light(input, changeable(read_scene_noting(options.scene, options.polygons, streams)), streams);
+  write_oriented_light(input, read_scene_noting(options.scene, options.polygons, streams), streams);
   return ExitCode::kDone;
 }
 
@@ -84,11 +84,11 @@ ExitCode faces_at_points(const VisibilityOptions& options, const std::string& te
                                          {options.irradiance, "--irradiance"},
                                          {options.side != VisibilityOptions().side, "--side"}})
     if (is_given) throw UsageError(std::string(option) + " is for points in the plane; these have three coordinates");
-  const Scene scene = changeable(read_scene_noting(options.scene, options.polygons, streams));
-  const auto* const space = std::get_if<Scene3>(&scene);
+  const ValidScene scene = read_scene_noting(options.scene, options.polygons, streams);
+  const auto* const space = std::get_if<ValidScene3>(&scene);
   if (space == nullptr)
     throw InputError({name, 0}, "points have three coordinates, and " + options.scene + " is in the plane");
-  write_seen_faces({text, name, options.out, options.pieces, options.guarantee.must_be_enclosed()}, *space, streams);
+  write_seen_faces({text, name, options.out, options.pieces, options.guarantee.must_be_enclosed()}, **space, streams);
   return ExitCode::kDone;
 }
 

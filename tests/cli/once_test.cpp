@@ -56,7 +56,10 @@ TEST(Commands, ValidateASceneOnce) {
                                            {"plan", " --elements 2"},
                                            {"visibility", name},
                                            {"visibility", " --graph -o g.csv"},
-                                           {"check", ""}})
+                                           {"check", ""},
+                                           {"compare", " --elements 2 --methods center -o c"},
+                                           {"compare", " --methods center --divide 1,2 -o d"},
+                                           {"convert", " out.json"}})
       EXPECT_THAT(counts_of(command, scene + options), testing::StartsWith("validations 1\n")) << command << options;
   }
 }
