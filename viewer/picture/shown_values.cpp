@@ -285,10 +285,11 @@ ShownValues shown_values(const Shown& shown, const SceneTable& scene, const Exch
     return sum;
   };
   const auto value = [&](std::uint32_t i) -> std::optional<double> {
-    const std::uint32_t material = *matrix.elements()[i].material;
-    if (shown.quantity == Quantity::kFactor) return factor(i);
     if (const auto of_element = row_of(shown).of_element)
       return shown.channel ? of_element(solution.channels[*shown.channel].elements[i]) : mean(of_element, solution, i);
+    if (shown.quantity == Quantity::kFactor) return factor(i);
+    HOTTEL_REQUIRE(shown.quantity == Quantity::kTemperature);
+    const std::uint32_t material = *matrix.elements()[i].material;
     if (scene.materials[material].is_adiabatic() || scene.materials[material].has_given_flux())
       return found_temperature(scene.materials[material], solution, i);
     return temperatures[material];
@@ -330,6 +331,7 @@ namespace {
 double value_at_point(const Shown& shown, const OrientedLight& light) {
   if (shown.quantity == Quantity::kTemperature) return mean_radiant_temperature(light.mean_irradiance);
   if (shown.quantity == Quantity::kFactor) return light.sky_view_factor;
+  HOTTEL_REQUIRE(shown.quantity == Quantity::kIrradiance);
   if (shown.channel) return light.irradiance[*shown.channel];
   const double sum = std::accumulate(light.irradiance.begin(), light.irradiance.end(), 0.0);
   return light.irradiance.size() == 2 ? sum : sum / static_cast<double>(light.irradiance.size());

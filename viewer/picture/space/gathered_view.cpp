@@ -406,6 +406,7 @@ Responses3 responses_3(const Shown& shown, const RadiositySolution& solution) {
   require_gathered_3(shown);
   if (shown.is_light()) return light_responses_3(solution);
   const bool is_irradiance = shown.quantity == Quantity::kIrradiance, is_net = shown.quantity == Quantity::kNet;
+  HOTTEL_REQUIRE(is_irradiance || is_net || shown.quantity == Quantity::kRadiosity);
   Responses3 result{.channels = 1, .of_light = solution.channels.size(), .constant = {}, .per_irradiance = {}};
   for (std::size_t i = 0; i < solution.channels[0].elements.size(); ++i) {
     double constant = 0;
