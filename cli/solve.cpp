@@ -49,7 +49,7 @@ void require_sense_of_sums(const SolveOptions& options) {
 // What can be said of options before the scene is read, of either dimension.
 void require_sense(const SolveOptions& options) {
   options.levels.require_sense();
-  solver_of(options, options.method == "exact");
+  system_asked(options, options.method == "exact");
   tone_asked(options.tone, kUsualTone2);
   if (options.exr) require_exr("--exr");
   if (options.memory && options.method != "exact")

@@ -141,9 +141,7 @@ SimulationRequest2 request_of(const SolveOptions& options, const Scene2& scene, 
   request.method = on_disk;
   if (!on_disk) request.method = all_methods_2().make(options.method);
   request.everything = options.simulate == "everything";
-  request.solver = solver_of(options, options.method == "exact");
-  request.iterations = options.iterations;
-  request.until = options.until;
+  request.system = system_asked(options, options.method == "exact");
   request.wants_light = !options.no_illumination;
   request.wants_picture = pictured.is_wanted;
   request.light = *light_kind_2(options.illumination);

@@ -15,7 +15,7 @@
 
 namespace hottel {
 
-Solver solver_of(const SolveOptions& options, bool has_symmetric_rows) {
+RadiosityOptions system_asked(const SolveOptions& options, bool has_symmetric_rows) {
   const auto solver = solver_named(options.solver);
   if (!solver) {
     std::vector<std::string> known;
@@ -24,11 +24,12 @@ Solver solver_of(const SolveOptions& options, bool has_symmetric_rows) {
         fmt::format("there is no solver called '{}'; there are {}", options.solver, fmt::join(known, ", ")),
         options.solver, known);
   }
-  if (!options.iterations && !options.until) return *solver;
+  RadiosityOptions result{.solver = *solver, .iterations = options.iterations, .until = options.until};
+  if (!options.iterations && !options.until) return result;
   if (*solver == Solver::kCholesky || *solver == Solver::kLu)
     throw UsageError("--iterations and --until do not apply to " + options.solver + ", which is direct");
-  if (*solver == Solver::kAuto) return has_symmetric_rows ? Solver::kCg : Solver::kBicgstab;
-  return *solver;
+  if (*solver == Solver::kAuto) result.solver = has_symmetric_rows ? Solver::kCg : Solver::kBicgstab;
+  return result;
 }
 
 LightTest light_test_of(const SolveOptions& options, const SceneTable& scene) {

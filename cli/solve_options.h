@@ -49,9 +49,10 @@ struct SolveOptions {
   bool json = false;
 };
 
-// The solver asked for. With --iterations or --until, auto is one that iterates: cg, or bicgstab where rows need not be
-// symmetric. Throws UnknownName for a name that no solver has, UsageError where a direct one is to iterate.
-Solver solver_of(const SolveOptions& options, bool has_symmetric_rows);
+// How radiosities are to be solved for. With --iterations or --until, auto is a solver that iterates: cg, or bicgstab
+// where rows need not be symmetric. Throws UnknownName for a name that no solver has, UsageError where a direct one is
+// to iterate.
+RadiosityOptions system_asked(const SolveOptions& options, bool has_symmetric_rows);
 
 // How the scene's lights fall on elements. Throws UsageError where it is asked of a scene that has none.
 LightTest light_test_of(const SolveOptions& options, const SceneTable& scene);

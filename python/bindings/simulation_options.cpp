@@ -42,20 +42,17 @@ Granularity granularity_of(const std::string& per) {
 }
 
 // As the program takes --solver, --iterations and --until.
-Solver solver_of(const SimulationOptions& options, bool has_symmetric_rows) {
+RadiosityOptions system_asked(const SimulationOptions& options, bool has_symmetric_rows) {
   std::vector<std::string> known;
   for (int k = 0; k <= static_cast<int>(Solver::kShooting); ++k) known.push_back(to_string(static_cast<Solver>(k)));
   require_one_of("solver", options.solver, known);
-  const Solver solver = *solver_named(options.solver);
-  if (!options.iterations && !options.until) return solver;
-  if (solver == Solver::kCholesky || solver == Solver::kLu)
+  RadiosityOptions result{.solver = *solver_named(options.solver), .until = options.until};
+  if (options.iterations) result.iterations = static_cast<int>(*options.iterations);
+  if (!options.iterations && !options.until) return result;
+  if (result.solver == Solver::kCholesky || result.solver == Solver::kLu)
     throw UsageError("iterations and until do not apply to '" + options.solver + "', which is direct");
-  if (solver == Solver::kAuto) return has_symmetric_rows ? Solver::kCg : Solver::kBicgstab;
-  return solver;
-}
-
-std::optional<int> iterations_of(const SimulationOptions& options) {
-  return options.iterations ? std::optional(static_cast<int>(*options.iterations)) : std::nullopt;
+  if (result.solver == Solver::kAuto) result.solver = has_symmetric_rows ? Solver::kCg : Solver::kBicgstab;
+  return result;
 }
 
 std::uint64_t memory_of(const SimulationOptions& options) {
@@ -67,9 +64,7 @@ Simulation2 in_plane(ValidScene2 scene, const SimulationOptions& options, const 
   request.method = all_methods_2().make(options.method);
   if (options.per) request.granularity = granularity_of(*options.per);
   request.everything = options.simulate == "everything";
-  request.solver = solver_of(options, options.method == "exact");
-  request.iterations = iterations_of(options);
-  request.until = options.until;
+  request.system = system_asked(options, options.method == "exact");
   request.memory = memory_of(options);
   request.store = store;
   return Simulation2(std::move(scene), std::move(request));
@@ -87,7 +82,7 @@ Simulation3 in_space(ValidScene3 scene, const SimulationOptions& options, const 
   request.factors.must_be_enclosed = options.guarantee == "enclosed";
   request.factors.memory = memory_of(options);
   request.factors.store = store;
-  request.system = {.solver = solver_of(options, false), .iterations = iterations_of(options), .until = options.until};
+  request.system = system_asked(options, false);
   request.plan.everything = options.simulate == "everything";
   for (const Grid3& grid : scene->grids) request.plan.grid_cells += grid.cells();
   return Simulation3(std::move(scene), request);

@@ -24,7 +24,7 @@ inline constexpr std::uint32_t kMostDenseUnknowns = 500;
 const char* to_string(Solver solver);
 std::optional<Solver> solver_named(std::string_view name);  // "auto", "cholesky", ..., "gauss-seidel", "shooting"
 
-// How to solve: by what, how far, and whom it tells how far it is.
+// How to solve: by what, how far, and whom it tells how far it is. Two that differ in the last alone are equal.
 struct RadiosityOptions {
   Solver solver = Solver::kAuto;
   // Iterative solvers stop after so many iterations, or when |residual| <= until * (largest source of the component)
@@ -41,6 +41,10 @@ struct RadiosityOptions {
   // place of 900 (4 n^2 bytes for each distinct reflectivity vector).
   bool serves_many = false;
   std::function<void(double)> progress = {};  // fraction done; may throw to stop
+
+  friend bool operator==(const RadiosityOptions& a, const RadiosityOptions& b) {
+    return a.solver == b.solver && a.iterations == b.iterations && a.until == b.until && a.serves_many == b.serves_many;
+  }
 };
 
 // How it is decided which elements the light of a point light or a beam reaches.

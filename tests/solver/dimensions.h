@@ -53,7 +53,6 @@ struct PlaneTests {
   static Grid grid(std::uint32_t nx, std::uint32_t ny) { return {{0, 0}, {8, 8}, nx, ny}; }
   static void set_grid(Request& request, const Grid& grid) { request.grid = grid; }
   static void set_painter(Request& request) { request.painter = std::make_shared<const Painter>(); }
-  static void set_solver(Request& request, Solver solver) { request.solver = solver; }
   static void set_memory(Request& request, std::uint64_t bytes) { request.memory = bytes; }
   static void set_method(Request& request, const char* name) { request.method = methods_2().make(name); }
   static void set_store(Request& request, std::shared_ptr<FactorStore> store) { request.store = std::move(store); }
@@ -120,7 +119,6 @@ struct SpaceTests {
   }
   static void set_grid(Request& request, const Grid& grid) { request.light.grid = grid; }
   static void set_painter(Request& request) { request.light.painter = std::make_shared<const Painter>(); }
-  static void set_solver(Request& request, Solver solver) { request.system.solver = solver; }
   static void set_memory(Request& request, std::uint64_t bytes) { request.factors.memory = bytes; }
   static void set_method(Request& request, const char* name) { request.factors.method = methods_3().make(name); }
   static void set_store(Request& request, std::shared_ptr<FactorStore> store) {

@@ -89,7 +89,7 @@ TYPED_TEST(SimulationTest, SharesTheStagesWhoseInputIsTheSame) {
   EXPECT_EQ(with_request([](Request& r) { TypeParam::set_grid(r, TypeParam::grid(5, 4)); }),
             kIsPlane ? "afsyr" : "afsyro");
   EXPECT_EQ(with_request([](Request& r) { TypeParam::set_painter(r); }), "afsyrlo");
-  EXPECT_EQ(with_request([](Request& r) { TypeParam::set_solver(r, Solver::kLu); }), "afso");
+  EXPECT_EQ(with_request([](Request& r) { r.system.solver = Solver::kLu; }), "afso");
   EXPECT_EQ(with_request([](Request& r) { TypeParam::set_visibility(r); }), "aso");
   EXPECT_EQ(with_request([](Request& r) { TypeParam::set_method(r, kIsPlane ? "center" : "points:2"); }), "aso");
   EXPECT_EQ(with_request([](Request&) {}), "afsyrlpo");

@@ -154,7 +154,7 @@ void Simulation2::Version::set_factors(const Version* before) {
 void Simulation2::Version::set_light(const Version* before) {
   system = node_of("radiosity",
                    SystemInput2{factors.stage, factors.input.rows, Spectra{reflectivities_of(scene->materials)},
-                                request.solver, request.iterations, request.until, scene->file},
+                                request.system, scene->file},
                    member_of(before, &Version::system), make_system);
   const auto shares_of = [&](const auto& arranged, const auto& with_scene, Granularity of, LightTest by) {
     return LightSharesInput2{arranged.stage, with_scene.stage, of, beams_of(scene->lights), scene->light_places, by};

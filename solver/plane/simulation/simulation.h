@@ -62,10 +62,8 @@ struct SimulationRequest2 {
   // As ExchangeRequest takes them, for factors() alone: system(), radiosities() and what is computed from them throw
   // UsageError unless all rows are chosen.
   RowChoice rows = {};
-  bool everything = false;  // every effect (Plan), also those the scene does not need
-  Solver solver = Solver::kAuto;
-  std::optional<int> iterations = {};  // of solvers that iterate, as in RadiosityOptions
-  std::optional<double> until = {};
+  bool everything = false;         // every effect (Plan), also those the scene does not need
+  RadiosityOptions system = {};    // its `progress` is not called: stages tell how far they are
   std::optional<Grid2> grid = {};  // nothing: default_grid(scene); the plan then counts all grids of the scene
   bool wants_light = true;         // whether plan() counts light; light() computes it anyway
   bool wants_picture = true;       // whether plan() counts a picture
@@ -100,7 +98,7 @@ struct SimulationRequest2 {
 //   (1) a stage is dropped by an edit iff its input changed, directly or in a stage before it:
 //         arrangement   edges, surfaces, groups, names, which materials act alike; whether elements are told apart
 //         factors       method, granularity, choice of rows, visibilities, measures, `everything`, memory, store
-//         system        reflectivities; solver, iterations, until
+//         system        reflectivities; how it is solved
 //         lights        their places, directions and beams, and the test of what they light, after the arrangement
 //         radiosities   emissions, that of the sky, the power of lights, the promise `closed`
 //         rows          grid, granularity, memory: what the cells see (light_rows.h), after the arrangement

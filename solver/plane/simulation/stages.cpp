@@ -97,10 +97,8 @@ RadiositySolver make_system(const SystemInput2& input, const StageProgress& prog
   require_all(input.rows);
   const auto factors = input.factors->get(progress);
   const std::shared_ptr<const ExchangeMatrix> matrix(factors, &factors->matrix);
-  return with_file_context(input.file, [&] {
-    return RadiositySolver(matrix, input.reflectivities.values,
-                           {.solver = input.solver, .iterations = input.iterations, .until = input.until});
-  });
+  return with_file_context(input.file,
+                           [&] { return RadiositySolver(matrix, input.reflectivities.values, input.options); });
 }
 
 RadiositySolution make_radiosities(const RadiositiesInput2& input, const StageProgress& progress) {

@@ -74,9 +74,7 @@ struct SystemInput2 {
   StagePtr<ComputedFactors2> factors;
   RowChoice rows;  // of factors
   Spectra reflectivities;
-  Solver solver = Solver::kAuto;
-  std::optional<int> iterations;
-  std::optional<double> until;
+  RadiosityOptions options;
   std::string file;  // of the scene, for messages
   friend bool operator==(const SystemInput2&, const SystemInput2&) = default;
 };

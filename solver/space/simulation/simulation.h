@@ -64,15 +64,6 @@ struct FactorsRequest3 {
   }
 };
 
-// How radiosities are solved for, as in RadiosityOptions.
-struct SystemRequest3 {
-  Solver solver = Solver::kAuto;
-  std::optional<int> iterations = {};
-  std::optional<double> until = {};
-  bool serves_many = false;
-  friend bool operator==(const SystemRequest3&, const SystemRequest3&) = default;
-};
-
 // A picture of light as its painter made it: the bytes of an image file, or what else the painter returns.
 struct LightPicture3 {
   std::string bytes;
@@ -101,7 +92,7 @@ struct LightRequest3 {
 // A request.
 struct SimulationRequest3 {
   FactorsRequest3 factors{};
-  SystemRequest3 system{};
+  RadiosityOptions system{};  // its `progress` is not called: stages tell how far they are
   LightRequest3 light{};
   LightTest lights = LightTest::kExact;  // how elements are lit by the scene's lights; light on the grid stays exact
   PlanRequest plan{};                    // what the plan counts

@@ -195,11 +195,7 @@ RadiositySolver make_system(const SystemInput3& input, const StageProgress& prog
   }
   return with_file_context(input.scene->file, [&] {
     return RadiositySolver(std::shared_ptr<const ExchangeMatrix>(factors, &factors->matrix),
-                           input.reflectivities.values,
-                           {.solver = input.request.solver,
-                            .iterations = input.request.iterations,
-                            .until = input.request.until,
-                            .serves_many = input.request.serves_many});
+                           input.reflectivities.values, input.options);
   });
 }
 

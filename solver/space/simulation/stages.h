@@ -96,10 +96,10 @@ struct SystemInput3 {
   StagePtr<PreparedScene3> prepared;  // not compared, as before
   ScenePtr3 scene;                    // compared in its promise `closed`
   Spectra reflectivities;
-  SystemRequest3 request;
+  RadiosityOptions options;
   friend bool operator==(const SystemInput3& a, const SystemInput3& b) {
     return a.factors == b.factors && a.reflectivities == b.reflectivities && a.scene->closed == b.scene->closed &&
-           a.request == b.request;
+           a.options == b.options;
   }
 };
 RadiositySolver make_system(const SystemInput3& input, const StageProgress& progress);

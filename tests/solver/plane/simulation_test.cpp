@@ -78,7 +78,7 @@ TEST(Simulation, DropsExactlyTheStagesWhoseInputChanged) {
   EXPECT_EQ(with_request([&](SimulationRequest2& r) { r.grid = grid_over(simulation.scene(), 5, 4); }), "afrwc");
   EXPECT_EQ(with_request([](SimulationRequest2& r) { r.light = LightKind2::kAverage; }), "afrwc");
   EXPECT_EQ(with_request([](SimulationRequest2& r) { r.painter = std::make_shared<const NoPainter>(); }), "afrlowc");
-  EXPECT_EQ(with_request([](SimulationRequest2& r) { r.solver = Solver::kCg; }), "afowc");
+  EXPECT_EQ(with_request([](SimulationRequest2& r) { r.system.solver = Solver::kCg; }), "afowc");
   EXPECT_EQ(with_request([](SimulationRequest2& r) { r.wants_visibility = true; }), "aoc");
   EXPECT_EQ(with_request([](SimulationRequest2& r) { r.method = methods_2().make("center"); }), "aoc");
   EXPECT_EQ(with_request([](SimulationRequest2& r) { r.method = methods_2().make("exact"); }), "afrlpowc");

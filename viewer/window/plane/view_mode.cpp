@@ -146,16 +146,16 @@ void add_sweeps(const LiveState2& state, ViewResult2& result, const StageProgres
                 const std::function<void(ViewResult2)>& tell) {
   if (!state.simulation || !state.factors) return;
   SimulationRequest2 request = state.simulation->request();
-  request.solver = result.request.solver;
+  request.system.solver = result.request.solver;
   request.grid = coarse_grid_2(state.simulation->grid(), kCoarseCells);
   request.keeps_rows = true;
   Simulation2 simulation = *state.simulation;
   for (int k = 0; k <= kMostSweeps; ++k) {
-    request.iterations = k;
+    request.system.iterations = k;
     simulation = simulation.with_request(request);
     const auto radiosities = simulation.radiosities(progress);
     result.light = simulation.light(progress);
-    SweepTexts texts = sweep_texts(request.solver, k, *radiosities);
+    SweepTexts texts = sweep_texts(request.system.solver, k, *radiosities);
     result.lines = std::move(texts.lines);
     result.lines.push_back(
         fmt::format("bounds of the radiosities {:.3g} wide, relative", radiosities->max_relative_width));

@@ -159,7 +159,7 @@ TEST(LiveScene2, IsThatOfANewSimulationWhenItIsDone) {
 
 TEST(LiveScene2, KeepsToTheRequest) {
   const Scene2 scene = small_room();
-  SimulationRequest2 request{.solver = Solver::kJacobi, .iterations = 3, .light = LightKind2::kAverage};
+  SimulationRequest2 request{.system = {.solver = Solver::kJacobi, .iterations = 3}, .light = LightKind2::kAverage};
   LiveScene2 live(request);
   live.set(shared(scene), LiveDepth2::kFull);
   ASSERT_TRUE(live.wait(kPatience));

@@ -293,7 +293,7 @@ TEST(ComputeView2, SweepsAreThoseOfSolveWithSoManyIterations) {
     told.push_back(last);
     for (std::size_t k = 0; k < told.size(); ++k) {
       const int sweeps = k < 5 ? static_cast<int>(k) : kMostSweeps;
-      SimulationRequest2 request{.solver = solver, .iterations = sweeps};
+      SimulationRequest2 request{.system = {.solver = solver, .iterations = sweeps}};
       const Simulation2 fresh(small_room(), request);
       ASSERT_TRUE(told[k].light);
       EXPECT_TRUE(bits_of(*told[k].light) == bits_of(*fresh.light())) << to_string(solver) << " " << k;
