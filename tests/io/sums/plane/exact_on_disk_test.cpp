@@ -49,7 +49,7 @@ TEST(ExactOnDisk2, LeadsToTheSameRadiosities) {
   const Scene2 scene = generated("clutter", 1500, 3);
   const auto method = std::make_shared<const ExactOnDisk2>(SumFolderRequest{.folder = folder.path(), .stays = true});
   const auto usual = Simulation2(scene, {.system = {.solver = Solver::kCg}}).radiosities();
-  const auto solved = Simulation2(scene, {.method = method, .solver = Solver::kCg}).radiosities();
+  const auto solved = Simulation2(scene, {.method = method, .system = {.solver = Solver::kCg}}).radiosities();
   ASSERT_EQ(solved->channels.size(), usual->channels.size());
   for (std::size_t c = 0; c < usual->channels.size(); ++c)
     for (std::size_t i = 0; i < usual->channels[c].elements.size(); ++i) {
