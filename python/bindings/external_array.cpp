@@ -13,14 +13,14 @@
 namespace hottel::python {
 namespace {
 
-[[noreturn]] void refuse(const std::string& text) { throw InputError({kArray, 0}, text); }
+[[noreturn]] void refuse_array(const std::string& text) { throw InputError({kArray, 0}, text); }
 
 py::array array_of(const py::object& object) {
   try {
     return py::module_::import("numpy").attr("asarray")(object);
   } catch (const py::error_already_set& error) {
     if (!error.matches(PyExc_ValueError)) throw;
-    refuse("has rows that are not of one length");
+    refuse_array("has rows that are not of one length");
   }
 }
 
@@ -49,25 +49,27 @@ std::vector<ExternalName> names_of(const py::object& names, std::uint32_t count,
     result.push_back({name.cast<std::string>(), 0});
   }
   if (result.size() != count)
-    refuse("has " + std::to_string(count) + " " + what + ", and there are " + std::to_string(result.size()) + " names");
+    refuse_array("has " + std::to_string(count) + " " + what + ", and there are " + std::to_string(result.size()) +
+                 " names");
   return result;
 }
 
 void add_entry(ExternalMatrix& matrix, std::uint32_t row, std::uint32_t column, double value) {
   if (!std::isfinite(value))
-    refuse("has a number in row " + std::to_string(row) + ", column " + std::to_string(column) + " that is not finite");
+    refuse_array("has a number in row " + std::to_string(row) + ", column " + std::to_string(column) +
+                 " that is not finite");
   if (value != 0) matrix.entries.push_back({row, column, 0, value});
 }
 
 std::uint32_t size_of(std::size_t size) {
-  if (size > std::numeric_limits<std::uint32_t>::max()) refuse("has more rows or columns than a scene has faces");
+  if (size > std::numeric_limits<std::uint32_t>::max()) refuse_array("has more rows or columns than a scene has faces");
   return static_cast<std::uint32_t>(size);
 }
 
 ExternalMatrix dense(const py::object& object) {
   const ExternalArray array = external_array(object);
   if (array.shape.size() != 2)
-    refuse("has " + std::to_string(array.shape.size()) + " dimensions, where a matrix has two");
+    refuse_array("has " + std::to_string(array.shape.size()) + " dimensions, where a matrix has two");
   ExternalMatrix matrix;
   matrix.rows = size_of(array.shape[0]);
   matrix.columns = size_of(array.shape[1]);
@@ -79,7 +81,7 @@ ExternalMatrix dense(const py::object& object) {
 }
 
 // Of whatever format: as rows whose columns ascend.
-ExternalMatrix sparse(const py::object& object) {
+ExternalMatrix sparse_array(const py::object& object) {
   py::object rows = object.attr("tocsr")().attr("copy")();
   rows.attr("sum_duplicates")();
   require_real(rows.attr("dtype").cast<py::dtype>());
@@ -130,7 +132,7 @@ ExternalMatrix external_matrix(const py::object& object, const py::object& names
   const bool is_frame = has(object, "to_numpy") && has(object, "index") && has(object, "columns");
   ExternalMatrix matrix = is_own                 ? of_factors(object.cast<const PythonFactors&>())
                           : is_frame             ? dense(object.attr("to_numpy")())
-                          : has(object, "tocsr") ? sparse(object)
+                          : has(object, "tocsr") ? sparse_array(object)
                                                  : dense(object);
   matrix.file = matrix.names_file = kArray;
   if (is_frame && names.is_none()) {

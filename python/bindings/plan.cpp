@@ -9,7 +9,7 @@
 namespace hottel::python {
 namespace {
 
-py::tuple plan_of(const PythonSimulation& simulation) {
+py::tuple effects_of(const PythonSimulation& simulation) {
   const auto plan = simulation.waited([](const AnySimulation& any, const StageProgress& progress) {
     return std::visit([&](const auto& each) { return each.plan(progress); }, any);
   });
@@ -36,7 +36,7 @@ void add_plan(py::module_& module) {
 }
 
 void add_plan_questions(py::class_<PythonSimulation>& type) {
-  type.def_property_readonly("plan", &plan_of,
+  type.def_property_readonly("plan", &effects_of,
                              "What is simulated of the scene, what not, and why: a tuple of PlannedEffect. An effect "
                              "is left\nout only where it cannot change a number.");
 }
