@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "kernel/support/failure.h"
+
 namespace hottel {
 
 bool operator==(const Spectra& a, const Spectra& b) {
@@ -25,6 +27,14 @@ Spectra emissions_of(const SceneTable& scene) {
   }
   spectra.values.push_back(scene.sky_emission);
   return spectra;
+}
+
+bool are_alike_as_before(const std::vector<Material>& before, const std::vector<Material>& now) {
+  HOTTEL_REQUIRE(before.size() == now.size());
+  for (std::size_t a = 0; a < now.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if ((before[a] == before[b]) != (now[a] == now[b])) return false;
+  return true;
 }
 
 std::vector<Light> beams_of(std::vector<Light> lights) {

@@ -19,6 +19,11 @@ Spectra powers_of(const SceneTable& scene);
 // Of its materials and its sky: all that radiosities depend on but for lights and reflectivities.
 Spectra emissions_of(const SceneTable& scene);
 
+// True iff every two materials that acted alike before do now, and no others: materials act alike if they are equal but
+// for their names. Then surfaces that overlap own the same places as before, and the arrangement can be shared.
+// REQUIRES equally many materials in both.
+bool are_alike_as_before(const std::vector<Material>& before, const std::vector<Material>& now);
+
 // The lights but for their power, and where in the file they stand.
 std::vector<Light> beams_of(std::vector<Light> lights);
 

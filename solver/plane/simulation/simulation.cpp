@@ -5,6 +5,7 @@
 #include "geometry/plane/exchange/closed_promise.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
+#include "kernel/support/stopwatch.h"
 #include "solver/plane/methods/method_catalogue.h"
 #include "solver/plane/scene_plan.h"
 #include "solver/plane/simulation/stages.h"
@@ -23,6 +24,24 @@ const MethodPtr2& exact_method() {
 // Whether a method is that one, or another object that does the same.
 bool is_usual(const MethodPtr2& method) {
   return !method || (method->info().name == exact_method()->info().name && !method->keeps_pairs_on_disk());
+}
+
+struct PictureInput2 {
+  StagePtr<SolvedLight2> light;
+  StagePtr<PreparedScene2> prepared;  // not compared, as before
+  std::shared_ptr<const LightPainter2> painter;
+  friend bool operator==(const PictureInput2& a, const PictureInput2& b) {
+    return a.light == b.light && a.painter == b.painter;
+  }
+};
+
+LightPicture2 make_picture(const PictureInput2& input, const StageProgress& progress) {
+  const auto light = input.light->get(progress);
+  const auto prepared = input.prepared->get(progress);
+  Stopwatch watch;
+  LightPicture2 picture = input.painter->paint(*prepared, light->grid);
+  picture.seconds = watch.lap();
+  return picture;
 }
 
 // An arrangement, and the scene that it was made with.

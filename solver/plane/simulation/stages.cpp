@@ -160,15 +160,6 @@ SolvedLight2 make_light(const LightInput2& input, const StageProgress& progress)
   return light;
 }
 
-LightPicture2 make_picture(const PictureInput2& input, const StageProgress& progress) {
-  const auto light = input.light->get(progress);
-  const auto prepared = input.prepared->get(progress);
-  Stopwatch watch;
-  LightPicture2 picture = input.painter->paint(*prepared, light->grid);
-  picture.seconds = watch.lap();
-  return picture;
-}
-
 Findings2 make_lost_light(const LostLightInput2& input, const StageProgress& progress) {
   const auto prepared = input.prepared->get(progress);
   return lost_light_warnings(*prepared, input.factors->get(progress)->matrix);

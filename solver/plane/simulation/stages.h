@@ -11,19 +11,25 @@
 #include <string>
 #include <vector>
 
+#include "geometry/exchange_request.h"
 #include "geometry/plane/check/finding.h"
 #include "geometry/plane/prepared/prepared_scene.h"
 #include "kernel/support/stage_node.h"
 #include "solver/dividing/dividing_estimate.h"
+#include "solver/plan.h"
 #include "solver/plane/check/scene_check.h"
 #include "solver/plane/light/light_rows.h"
 #include "solver/plane/light/solved_light.h"
+#include "solver/plane/methods/computed_factors.h"
 #include "solver/plane/methods/exchange_method.h"
-#include "solver/plane/simulation/simulation.h"
+#include "solver/radiosity/radiosity_options.h"
+#include "solver/radiosity/radiosity_solution.h"
 #include "solver/radiosity/radiosity_solver.h"
 #include "solver/stage_inputs.h"
 
 namespace hottel {
+
+class FactorStore;
 
 using MethodPtr2 = std::shared_ptr<const ExchangeMethod2>;
 using ScenePtr2 = std::shared_ptr<const Scene2>;
@@ -149,16 +155,6 @@ struct LightInput2 {
   }
 };
 SolvedLight2 make_light(const LightInput2& input, const StageProgress& progress);
-
-struct PictureInput2 {
-  StagePtr<SolvedLight2> light;
-  StagePtr<PreparedScene2> prepared;  // not compared, as before
-  std::shared_ptr<const LightPainter2> painter;
-  friend bool operator==(const PictureInput2& a, const PictureInput2& b) {
-    return a.light == b.light && a.painter == b.painter;
-  }
-};
-LightPicture2 make_picture(const PictureInput2& input, const StageProgress& progress);
 
 struct PlanInput2 {
   StagePtr<PreparedScene2> prepared;

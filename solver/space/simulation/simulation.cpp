@@ -7,6 +7,7 @@
 #include "geometry/space/exchange/closed_promise.h"
 #include "geometry/space/scene/validation.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/stopwatch.h"
 #include "solver/radiosity/radiosity_sources.h"
 #include "solver/refinement.h"
 #include "solver/space/simulation/stages.h"
@@ -21,6 +22,20 @@ bool has_places_of(const Scene3& a, const Scene3& b) {
   };
   return a.polygons == b.polygons && a.bases == b.bases && a.groups == b.groups &&
          std::ranges::equal(a.surfaces, b.surfaces, is_alike);
+}
+
+struct PictureInput3 {
+  StagePtr<IlluminationGrid3> light;
+  std::shared_ptr<const LightPainter3> painter;
+  friend bool operator==(const PictureInput3&, const PictureInput3&) = default;
+};
+
+LightPicture3 make_picture(const PictureInput3& input, const StageProgress& progress) {
+  const auto light = input.light->get(progress);
+  Stopwatch watch;
+  LightPicture3 result = input.painter->paint(*light);
+  result.seconds = watch.lap();
+  return result;
 }
 
 }  // namespace
@@ -151,14 +166,6 @@ Simulation3 Simulation3::with_scene(ValidScene3 scene) const { return Simulation
 
 Simulation3 Simulation3::with_trees(std::vector<SurfaceTrees> trees) const {
   return Simulation3(version_->with(hottel::with_trees(*version_->scene, std::move(trees))));
-}
-
-bool are_alike_as_before_3(const std::vector<Material>& before, const std::vector<Material>& now) {
-  HOTTEL_REQUIRE(before.size() == now.size());
-  for (std::size_t a = 0; a < now.size(); ++a)
-    for (std::size_t b = 0; b < a; ++b)
-      if ((before[a] == before[b]) != (now[a] == now[b])) return false;
-  return true;
 }
 
 const Scene3& Simulation3::scene() const { return *version_->scene; }

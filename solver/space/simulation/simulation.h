@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "geometry/element.h"
-#include "geometry/exchange_request.h"
 #include "geometry/space/scene/scene.h"
 #include "kernel/support/interrupt.h"
 #include "solver/plan.h"
@@ -23,46 +22,11 @@
 
 namespace hottel {
 
-template <class Prepared>
-class ExchangeMethod;
-class FactorStore;
 class RadiositySolver;
-class RowWatch3;
 struct DividingEstimate;
 struct IlluminationGrid3;
 struct LightShares;
 struct PreparedScene3;
-
-// Which view factors are asked for, with the defaults.
-struct FactorsRequest3 {
-  // The method; null means "exact". Only the exact method has visibilities, measures and hidden pairs, and keeps to
-  // `memory`.
-  std::shared_ptr<const ExchangeMethod<PreparedScene3>> method = nullptr;
-  // Not chosen by the scene, unlike in the plane: with kFace surfaces are whole, whatever Surface::elements says.
-  Granularity granularity = Granularity::kFace;
-  bool wants_visibility = false, wants_measures = false;  // beside the factors
-  double tolerance = 1e-9;                                // as ExchangeRequest takes it
-  SkyBy sky = SkyBy::kIntegral;                           // how factors of the sky are computed
-  bool must_be_enclosed = false;                          // each pair within the tolerance; else RequestError
-  // As ExchangeRequest takes them, for factors() and hidden() alone: system(), radiosities() and what is computed from
-  // them throw UsageError unless all rows are chosen.
-  RowChoice rows = {};
-  // Bytes that factors may take; 0: four fifths of what is free when they are computed. Where they need more, factors()
-  // throws RequestError.
-  std::uint64_t memory = 0;
-  // Chooses which rows are computed first, and is called as they are done, on the thread that computes them. Only the
-  // exact method uses it. It changes no result, so requests that differ in it alone are equal.
-  std::shared_ptr<RowWatch3> watch = nullptr;
-  // Factors that it has are read from it, others are written to it once they are computed. No result depends on it. For
-  // the program, as `watch` is: no installed header has these types.
-  std::shared_ptr<FactorStore> store = nullptr;
-
-  friend bool operator==(const FactorsRequest3& a, const FactorsRequest3& b) {
-    return a.method == b.method && a.granularity == b.granularity && a.wants_visibility == b.wants_visibility &&
-           a.wants_measures == b.wants_measures && a.tolerance == b.tolerance && a.sky == b.sky &&
-           a.must_be_enclosed == b.must_be_enclosed && a.rows == b.rows && a.memory == b.memory;
-  }
-};
 
 // A picture of light as its painter made it: the bytes of an image file, or what else the painter returns.
 struct LightPicture3 {
@@ -99,11 +63,6 @@ struct SimulationRequest3 {
   friend bool operator==(const SimulationRequest3&, const SimulationRequest3&) = default;
 };
 
-// True iff every two materials that acted alike before do now, and no others: materials act alike if they are equal but
-// for their names. Then surfaces that overlap own the same places as before, and the arrangement can be shared.
-// REQUIRES equally many materials in both.
-bool are_alike_as_before_3(const std::vector<Material>& before, const std::vector<Material>& now);
-
 // One version of a scene and of a request, with all results, in stages ("a <- b": b is computed from a):
 //
 //   prepared <- factors <- system <- radiosities <- light <- picture
@@ -122,9 +81,9 @@ bool are_alike_as_before_3(const std::vector<Material>& before, const std::vecto
 //   (3) a version with another request shares the prepared scene. It shares each of plan, factors, lights, system,
 //       radiosities, light and picture if the two requests agree on it and on all that it is computed from. Hidden
 //       pairs go with the factors, the estimate of dividing with the radiosities
-//   (4) a version with other materials shares the factors if the same pairs of materials act alike
-//       (are_alike_as_before_3), and the system too if no reflectivity changed. Else the scene is arranged anew: either
-//       that is refused (InputError), or all lies as before, and the factors are copied
+//   (4) a version with other materials shares the factors if the same pairs of materials act alike, which they do if
+//       they are equal but for their names, and the system too if no reflectivity changed. Else the scene is arranged
+//       anew: either that is refused (InputError), or all lies as before, and the factors are copied
 //   (5) a version with a scene of the same shape, whose materials act alike as before, shares the arrangement, however
 //       surfaces are divided. It shares the factors too if surfaces are divided alike, and then the stage `lights` if
 //       all lights have the same names, places, directions and beams; their powers may differ

@@ -131,7 +131,7 @@ bool is_divided_alike(const Scene3& a, const Scene3& b) {
 
 bool operator==(const ArrangementInput3& a, const ArrangementInput3& b) {
   return a.scene == b.scene ||
-         (is_same_shape(*a.scene, *b.scene) && are_alike_as_before_3(a.scene->materials, b.scene->materials));
+         (is_same_shape(*a.scene, *b.scene) && are_alike_as_before(a.scene->materials, b.scene->materials));
 }
 
 PreparedScene3 make_arrangement(const ArrangementInput3& input, const StageProgress&) { return prepare(*input.scene); }
@@ -230,14 +230,6 @@ IlluminationGrid3 make_light(const LightInput3& input, const StageProgress& prog
                ? average_irradiance(*prepared, *radiosities, *input.grid, request_of_cells(input.asked, told))
                : illuminate_points(*prepared, input.asked.granularity, *radiosities, *input.grid, told);
   });
-}
-
-LightPicture3 make_picture(const PictureInput3& input, const StageProgress& progress) {
-  const auto light = input.light->get(progress);
-  Stopwatch watch;
-  LightPicture3 result = input.painter->paint(*light);
-  result.seconds = watch.lap();
-  return result;
 }
 
 }  // namespace hottel

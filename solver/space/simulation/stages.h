@@ -11,10 +11,11 @@
 #include "geometry/space/prepared/prepared_scene.h"
 #include "kernel/support/stage_node.h"
 #include "solver/dividing/dividing_estimate.h"
+#include "solver/plan.h"
 #include "solver/radiosity/radiosity_solver.h"
 #include "solver/space/light/illumination_grid.h"
 #include "solver/space/light/scene_light_shares.h"
-#include "solver/space/simulation/simulation.h"
+#include "solver/space/methods/computed_factors.h"
 #include "solver/stage_inputs.h"
 
 namespace hottel {
@@ -140,12 +141,5 @@ struct LightInput3 {
   }
 };
 IlluminationGrid3 make_light(const LightInput3& input, const StageProgress& progress);
-
-struct PictureInput3 {
-  StagePtr<IlluminationGrid3> light;
-  std::shared_ptr<const LightPainter3> painter;
-  friend bool operator==(const PictureInput3&, const PictureInput3&) = default;
-};
-LightPicture3 make_picture(const PictureInput3& input, const StageProgress& progress);
 
 }  // namespace hottel

@@ -8,6 +8,7 @@
 
 #include "kernel/support/interrupt.h"
 #include "solver/space/methods/method_catalogue.h"
+#include "solver/stage_inputs.h"
 
 namespace hottel {
 
@@ -46,7 +47,7 @@ void LiveScene3::look_from(const Direction3& eye) {
 void LiveScene3::set(std::shared_ptr<const Scene3> scene, LiveDepth3 depth) {
   if (depth == LiveDepth3::kCoarse) return set_coarse(std::move(scene));
   const bool is_same_shape = set_ && set_->has_shape_of(*scene);
-  const bool keeps_factors = is_same_shape && are_alike_as_before_3(set_->scene()->materials, scene->materials);
+  const bool keeps_factors = is_same_shape && are_alike_as_before(set_->scene()->materials, scene->materials);
   set_ = is_same_shape ? set_->with_scene(std::move(scene)) : SceneVersion3(std::move(scene), request_, changed_);
   set_->rows().look_from(eye_);
   since_ = {};

@@ -49,7 +49,7 @@ struct LiveState3 {
 //       (NearestRows3), and with them light that goes around among the rows that have come, then its light
 //   (3) a scene that differs from the one before in materials and lights alone does not disturb the factors that are
 //       there or on their way, nor the system where no reflectivity differs, unless other materials are alike than
-//       before (are_alike_as_before_3). Its light follows that which is on its way: something new is shown however fast
+//       before (are_alike_as_before). Its light follows that which is on its way: something new is shown however fast
 //       scenes follow each other. Until it is there the version before stays, whole
 //   (4) a scene of another shape is seen in the light of the one before, face by face, until there is more. One of
 //       kCoarse follows that which is on its way, and goes no further until it is set again with kFull; what was known

@@ -5,6 +5,7 @@
 #include "geometry/space/prepared/element_table.h"
 #include "geometry/space/prepared/prepared_scene.h"
 #include "kernel/support/failure.h"
+#include "solver/stage_inputs.h"
 #include "viewer/window/space/first_light.h"
 
 namespace hottel {
@@ -72,7 +73,7 @@ SceneVersion3 SceneVersion3::with_scene(std::shared_ptr<const Scene3> scene) con
   HOTTEL_REQUIRE(has_shape_of(*scene));
   Simulation3 simulation = simulation_.with_scene(*scene);
   Simulation3 whole = whole_.with_scene(*scene);
-  ModelStage model = are_alike_as_before_3(scene_->materials, scene->materials) ? model_ : model_of(simulation);
+  ModelStage model = are_alike_as_before(scene_->materials, scene->materials) ? model_ : model_of(simulation);
   return SceneVersion3(std::move(scene), rows_, std::move(simulation), std::move(whole), std::move(model));
 }
 

@@ -46,7 +46,7 @@ struct LiveElement3 {
 //
 //   (1) all that can be had from it is of its scene
 //   (2) versions of one shape share what Simulation3 shares, and the rows that have come; those that are arranged alike
-//       (are_alike_as_before_3) the model too
+//       (are_alike_as_before) the model too
 class SceneVersion3 {
  public:
   // changed: called on other threads when rows have come. Throws InputError for a scene that is none (validate).
