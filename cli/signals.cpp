@@ -32,7 +32,7 @@ extern "C" {
 static void hottel_on_alarm(int) { end_now(asked_by == 0 ? SIGINT : asked_by.load()); }
 
 static void hottel_on_stop(int signal) {
-  if (interrupted()) end_now(signal);
+  if (interrupted() || !timerisset(&patience_from_now.it_value)) end_now(signal);
   asked_by = signal;
   request_interrupt();
   ::setitimer(ITIMER_REAL, &patience_from_now, nullptr);  // as alarm() does, to the millisecond

@@ -17,8 +17,8 @@ namespace {
 
 constexpr char kPlane = '2', kSpace = '3', kRows = 'r';
 
-// mpirun kills a rank a second after it has asked it to end.
-constexpr std::chrono::milliseconds kPatience{400};
+// mpirun kills ranks some milliseconds after it has asked them to end.
+constexpr std::chrono::milliseconds kPatience{0};
 
 // Jobs of all kinds.
 class AllJobs : public HelperJobs {
