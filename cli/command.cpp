@@ -296,7 +296,7 @@ void add_all_commands(Commands& commands) {
 
 int Commands::run(int argc, const char* const* argv) noexcept {
   try {
-    install_signal_handlers(patience_);
+    install_signal_handlers(ends_at_first_signal_);
     return static_cast<int>(parse_and_run(argc, argv));
   } catch (...) {
     const ExitCode code = report_failure(scene_file(program_));

@@ -23,7 +23,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -68,8 +67,8 @@ class Commands {
   // How many threads may work where --threads is not given. REQUIRES threads >= 1.
   void set_threads(int threads) { threads_ = threads; }
 
-  // How long work may take to heed a signal that asks it to stop (cli/signals.h); a second where it is not set.
-  void set_patience(std::chrono::milliseconds patience) { patience_ = patience; }
+  // The first signal is not to ask for a stop, but to end the process (cli/signals.h).
+  void end_at_first_signal() { ends_at_first_signal_ = true; }
 
   // Parses the command line, runs the command and returns the exit code of the program. Does not throw.
   int run(int argc, const char* const* argv) noexcept;
@@ -82,7 +81,7 @@ class Commands {
   std::function<ExitCode(Streams&)> chosen_;
   bool is_quiet_ = false;
   int threads_ = 0;  // 0: as many as there are cores
-  std::chrono::milliseconds patience_{1000};
+  bool ends_at_first_signal_ = false;
 };
 
 // Each adds one command, with its options and examples (cli/NAME.cpp).

@@ -1,6 +1,5 @@
 #include "cli/signals.h"
 
-#include <sys/time.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -22,27 +21,27 @@ namespace {
 std::atomic<int> asked_by{0};  // the signal that asked for a stop
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler sets it");
 
-itimerval patience_from_now{};
+bool first_signal_ends = false;
 
 }  // namespace
 
 extern "C" {
 
-// What was asked to stop has not.
+// What was asked to stop has not within a second.
 static void hottel_on_alarm(int) { end_now(asked_by == 0 ? SIGINT : asked_by.load()); }
 
 static void hottel_on_stop(int signal) {
-  if (interrupted() || !timerisset(&patience_from_now.it_value)) end_now(signal);
+  if (first_signal_ends || interrupted()) end_now(signal);
   asked_by = signal;
   request_interrupt();
-  ::setitimer(ITIMER_REAL, &patience_from_now, nullptr);  // as alarm() does, to the millisecond
+  ::alarm(1);
 }
 }
 
 int code_of_interruption() { return 128 + (asked_by == 0 ? SIGINT : asked_by.load()); }
 
-void install_signal_handlers(std::chrono::milliseconds patience) {
-  patience_from_now.it_value = {.tv_sec = patience.count() / 1000, .tv_usec = patience.count() % 1000 * 1000};
+void install_signal_handlers(bool ends_at_first) {
+  first_signal_ends = ends_at_first;
   struct sigaction action {};
   sigfillset(&action.sa_mask);
   action.sa_handler = hottel_on_alarm;

@@ -1,6 +1,5 @@
 // The program `hottel-mpi`: the same as `hottel`, whose view factors and radiosities several processes compute.
 #include <algorithm>
-#include <chrono>
 #include <memory>
 
 #include "cli/command.h"
@@ -16,9 +15,6 @@ namespace hottel {
 namespace {
 
 constexpr char kPlane = '2', kSpace = '3', kRows = 'r';
-
-// mpirun kills ranks some milliseconds after it has asked them to end.
-constexpr std::chrono::milliseconds kPatience{0};
 
 // Jobs of all kinds.
 class AllJobs : public HelperJobs {
@@ -48,7 +44,7 @@ int lead(Channel& channel, int argc, const char* const* argv) {
     const CrewScope<RowCrew> of_systems(rows);
     Commands commands;
     add_all_commands(commands);
-    commands.set_patience(kPatience);
+    commands.end_at_first_signal();  // mpirun kills ranks some milliseconds after it has asked them to end
     commands.set_threads(std::max(1, threads_allowed() / channel.ranks_on_these_cores()));
     code = commands.run(argc, argv);
   }
