@@ -10,6 +10,7 @@
 
 #include "geometry/space/hiding/hiders.h"
 #include "tests/sanitizers.h"
+#include "tests/storm/space/matrix_law.h"
 
 namespace hottel::storm::hiding_storm_test {
 namespace {
@@ -29,6 +30,15 @@ TEST(HidingStorm3, ManyScenesObeyTheLaws) {
     EXPECT_GE(result.checks[l], kScenes / hiding_laws_3()[l].every) << hiding_laws_3()[l].name;
   for (std::size_t s = 0; s < kHidingSights3; ++s)
     EXPECT_GE(result.sights[s], kScenes / 4) << to_string(static_cast<HidingSight3>(s));
+}
+
+// In slits 2^-54 and 2^-45 wide two rules agree on half of a factor; what is left of the residual tells that.
+TEST(HidingStorm3, RowsStateTheirErrorsWhereTwoRulesAreWrongAlike) {
+  for (const std::uint64_t number : {20'446, 20'827}) {
+    const MatrixAnswer3 answer = matrix_answer_3(hiding_scene_3(number), number);
+    EXPECT_EQ(answer.wrong, "") << number;
+    EXPECT_EQ(answer.refusal, "") << number;
+  }
 }
 
 TEST(HidingStorm3, IsTheSameForAnyNumberOfThreads) {
