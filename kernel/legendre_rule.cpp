@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "kernel/flint_memory.h"
+#include "kernel/wide_real.h"
 
 namespace hottel {
 namespace {

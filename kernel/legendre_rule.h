@@ -1,9 +1,8 @@
 // The rules of Gauss-Legendre for integrals over [0, 1].
 #pragma once
 
+#include <limits>
 #include <vector>
-
-#include "kernel/wide_real.h"
 
 namespace hottel {
 
@@ -21,9 +20,7 @@ struct LegendreRule {
 
 // How many nodes a rule has at most.
 template <class Real>
-inline constexpr int kMaxLegendreNodes = 20;
-template <>
-inline constexpr int kMaxLegendreNodes<WideReal> = 48;
+inline constexpr int kMaxLegendreNodes = std::numeric_limits<Real>::digits > 200 ? 48 : 20;
 
 // Returns the rule of n nodes. REQUIRES: 1 <= n <= kMaxLegendreNodes<Real>; Real is double, long double, LongerReal or
 // WideReal.

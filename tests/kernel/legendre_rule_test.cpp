@@ -6,6 +6,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "kernel/wide_real.h"
+
 namespace hottel::legendre_rule_test {
 namespace {
 

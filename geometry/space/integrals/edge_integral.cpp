@@ -5,6 +5,7 @@
 
 #include "geometry/space/integrals/arc_lanes.h"
 #include "kernel/legendre_rule.h"
+#include "kernel/wide_real.h"
 
 namespace hottel {
 namespace {

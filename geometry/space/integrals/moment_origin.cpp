@@ -6,6 +6,7 @@
 
 #include "geometry/space/vectors/integer_reals.h"
 #include "kernel/exact_double.h"
+#include "kernel/wide_real.h"
 
 namespace hottel {
 namespace {

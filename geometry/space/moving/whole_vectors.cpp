@@ -4,6 +4,7 @@
 
 #include "geometry/space/moving/moving_planes.h"
 #include "kernel/exact_double.h"
+#include "kernel/wide_real.h"
 
 namespace hottel {
 namespace {

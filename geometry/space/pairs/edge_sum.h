@@ -11,6 +11,7 @@
 #include "geometry/space/pairs/pair_details.h"
 #include "geometry/space/pieces/stretch_map.h"
 #include "geometry/space/unobstructed/pair_result.h"
+#include "kernel/wide_real.h"
 
 namespace hottel {
 

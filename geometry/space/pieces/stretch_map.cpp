@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/space/arrangement/short_integers.h"
+#include "kernel/wide_real.h"
 
 namespace hottel {
 namespace {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/space/pieces/stretch_map.h"
+#include "kernel/wide_real.h"
 
 namespace hottel {
 namespace {

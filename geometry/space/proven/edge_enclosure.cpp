@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "geometry/space/vectors/integer_reals.h"
+#include "kernel/wide_real.h"
 
 namespace hottel {
 namespace {

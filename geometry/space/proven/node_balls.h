@@ -8,6 +8,7 @@
 #include "geometry/space/proven/ball.h"
 #include "geometry/space/proven/proven_piece.h"
 #include "kernel/legendre_rule.h"
+#include "kernel/wide_real.h"
 
 namespace hottel {
 

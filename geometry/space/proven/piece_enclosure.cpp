@@ -9,6 +9,7 @@
 #include "geometry/space/proven/node_lanes.h"
 #include "kernel/legendre_rule.h"
 #include "kernel/plain_functions.h"
+#include "kernel/wide_real.h"
 
 namespace hottel {
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "kernel/wide_real.h"
+
 namespace hottel {
 namespace {
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "kernel/plain_functions.h"
+#include "kernel/wide_real.h"
 
 namespace hottel {
 namespace {

@@ -8,6 +8,7 @@
 #include "geometry/space/unobstructed/edge_separation.h"
 #include "kernel/legendre_rule.h"
 #include "kernel/plain_functions.h"
+#include "kernel/wide_real.h"
 
 namespace hottel {
 namespace {

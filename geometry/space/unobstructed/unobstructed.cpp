@@ -18,6 +18,7 @@
 #include "geometry/space/vectors/moving_vector.h"
 #include "kernel/exact_double.h"
 #include "kernel/plain_functions.h"
+#include "kernel/wide_real.h"
 
 namespace hottel {
 namespace {

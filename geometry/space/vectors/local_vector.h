@@ -4,8 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-
-#include "kernel/wide_real.h"
+#include <type_traits>
 
 namespace hottel {
 
@@ -51,23 +50,16 @@ inline constexpr double kRoundoff = power_of_half(std::numeric_limits<Real>::dig
 
 // Distances below this are not looked at, where sizes are about 1.
 template <class Real>
-inline constexpr double kLeastDistance = 0x1p-110;
-template <>
-inline constexpr double kLeastDistance<LongerReal> = 0x1p-200;
-template <>
-inline constexpr double kLeastDistance<WideReal> = 0x1p-400;
+inline constexpr double kLeastDistance = std::numeric_limits<Real>::digits > 200   ? 0x1p-400
+                                         : std::numeric_limits<Real>::digits > 100 ? 0x1p-200
+                                                                                   : 0x1p-110;
 
 template <class Real>
 Real pi_of() {
-  return std::numbers::pi_v<Real>;
-}
-template <>
-inline LongerReal pi_of<LongerReal>() {
-  return 4 * atan(LongerReal(1));
-}
-template <>
-inline WideReal pi_of<WideReal>() {
-  return 4 * atan(WideReal(1));
+  if constexpr (std::is_floating_point_v<Real>)
+    return std::numbers::pi_v<Real>;
+  else
+    return 4 * atan(Real(1));
 }
 
 // A real number of which an approximation is known, and how far off that is at most.

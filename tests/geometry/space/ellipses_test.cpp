@@ -11,6 +11,7 @@
 #include "geometry/space/proven/arcs_on_ellipse.h"
 #include "geometry/space/proven/node_balls.h"
 #include "geometry/space/proven/node_lanes.h"
+#include "kernel/wide_real.h"
 
 namespace hottel::ellipses_test {
 namespace {

@@ -6,6 +6,8 @@
 #include <random>
 #include <string>
 
+#include "kernel/wide_real.h"
+
 namespace hottel::log_distance_test {
 namespace {
 

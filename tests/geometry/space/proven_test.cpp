@@ -18,6 +18,7 @@
 #include "geometry/space/proven/edge_enclosure.h"
 #include "geometry/space/stretches/surface_stretches.h"
 #include "io/scene/scene_json.h"
+#include "kernel/wide_real.h"
 #include "tests/comparison/space/pair_scene.h"
 #include "tests/comparison/space/pierced_pairs.h"
 #include "tests/oracle/space/random_polygons.h"

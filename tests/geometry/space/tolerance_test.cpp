@@ -20,6 +20,7 @@
 #include "geometry/space/unobstructed/unobstructed.h"
 #include "geometry/space/vectors/integer_reals.h"
 #include "kernel/support/failure.h"
+#include "kernel/wide_real.h"
 
 namespace hottel::tolerance_test {
 namespace {

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "kernel/legendre_rule.h"
+#include "kernel/wide_real.h"
 #include "tests/oracle/space/pair_alone.h"
 #include "tests/sanitizers.h"
 
