@@ -41,9 +41,14 @@ struct Judged {
         if (const double v = value(i, j, exact.factor(i, j).value); v != 0) entries.push_back({j, {v, 0}, 1});
       begin.push_back(entries.size());
     }
-    ExchangeMatrix matrix(exact.elements(), Guarantee::kEstimated);
-    matrix.assign(std::move(begin), std::move(entries));
-    return matrix;
+    return matrix(std::move(begin), std::move(entries));
+  }
+
+  // Of these entries, those of row i from begin[i].
+  ExchangeMatrix matrix(std::vector<std::size_t> begin, std::vector<FactorEntry> entries) const {
+    ExchangeMatrix result(exact.elements(), Guarantee::kEstimated);
+    result.assign(std::move(begin), std::move(entries));
+    return result;
   }
 
   // As it is, and as View3D prints it.

@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <random>
+#include <utility>
 
 #include "solver/plane/methods/method_catalogue.h"
 #include "tests/sanitizers.h"
@@ -37,10 +38,15 @@ Scene2 furnished_room() {
 using Factors = std::map<ElementPair, double>;
 
 ExchangeMatrix matrix_of(const Judged& judged, const Factors& factors) {
-  return judged.changed([&](std::uint32_t i, std::uint32_t j, double) {
-    const auto found = factors.find({i, j});
-    return found == factors.end() ? 0.0 : found->second;
-  });
+  std::vector<std::size_t> begin(1, 0);
+  std::vector<FactorEntry> entries;
+  auto next = factors.begin();
+  for (std::uint32_t i = 0; i < judged.exact.size(); ++i) {
+    for (; next != factors.end() && next->first.first == i; ++next)
+      if (next->second != 0) entries.push_back({next->first.second, {next->second, 0}, 1});
+    begin.push_back(entries.size());
+  }
+  return judged.matrix(std::move(begin), std::move(entries));
 }
 
 // Of n rays from each face (n of the face), those that end on each other, over n.
