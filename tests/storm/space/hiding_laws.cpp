@@ -93,13 +93,29 @@ class Drawer {
   std::mt19937_64 random_;
 };
 
-// Sends rays from points of a patch to its front and calls visit(polygon, is_back) for what each meets first.
+// Whether a polygon in another plane touches the point of a patch: a ray from there may go into a body that stands on
+// it.
+bool is_touched(const Polygons3& polygons, const SpacePoint& point, const SpacePoint& normal_of_patch) {
+  return std::any_of(polygons.begin(), polygons.end(), [&](const SpacePolygon& polygon) {
+    const SpacePoint normal = oracle::normal_of(polygon);
+    if (dot(normal, polygon[0] - point) != 0 || cross(normal, normal_of_patch) == SpacePoint{}) return false;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const SpacePoint side = polygon[(k + 1) % polygon.size()] - polygon[k];
+      if (dot(normal, cross(side, point - polygon[k])) < 0) return false;
+    }
+    return true;
+  });
+}
+
+// Sends rays from points of a patch to its front and calls visit(polygon, is_back) for what each meets first. Points at
+// which something touches the patch send none.
 template <class Visit>
 void send_rays(const HidingSubject3& subject, const SpacePolygon& patch, std::uint64_t salt, const Visit& visit) {
   Drawer draw(subject.chance(), salt);
   const Polygons3& polygons = subject.with_sky();
   for (int e = 0; e < kEyes; ++e) {
     const SpacePoint eye = draw.within(patch), front = oracle::normal_of(patch);
+    if (is_touched(polygons, eye, front)) continue;
     oracle::FilteredRayCaster cast(polygons, eye);
     for (int k = 0; k < kRaysOfEye; ++k) {
       const SpacePoint way = draw.below(3) == 0

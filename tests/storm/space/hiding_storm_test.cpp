@@ -41,6 +41,17 @@ TEST(HidingStorm3, RowsStateTheirErrorsWhereTwoRulesAreWrongAlike) {
   }
 }
 
+// An eye was drawn on the edge of a wedge that touches the patch: its rays went through the wedge.
+TEST(HidingStorm3, RaysFromWhereSomethingTouchesThePatchTellNothing) {
+  StormOptions options;
+  options.scenes = 1;
+  options.first = 45'087;
+  const HidingStormResult3 result = run_hiding_storm_3(options, {hiding_laws_3()[1]});
+  ASSERT_STREQ(hiding_laws_3()[1].name, "rays");
+  EXPECT_EQ(result.all_checks(), 1u);
+  EXPECT_EQ(result.all_failures(), 0u) << report(result, {hiding_laws_3()[1]});
+}
+
 TEST(HidingStorm3, IsTheSameForAnyNumberOfThreads) {
   StormOptions options;
   options.scenes = 6;
