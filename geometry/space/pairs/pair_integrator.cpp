@@ -163,12 +163,10 @@ void integrate(double allowed, EdgeSum3& sum, PairResult3& result) {
     result.error = values.error / full + kOfDouble / 4 * std::fabs(result.measure);
     result.residual = length(values.residual);
     result.residual_bound = std::max(values.residual_error, residual_tolerance);
-    const double by_residual = result.residual * sum.reach() / full;
-    const double lacks = may_lack ? std::min(sum.may_lack() / full, by_residual) : sum.may_lack() / full;
-    // Where more is left of the residual than the rules tell of it, they are wrong alike.
-    const double alike = result.residual > values.residual_error ? by_residual : 0;
-    const double stated = std::max(result.error + lacks, alike);
-    result.error = may_lack ? stated : std::max(result.error, std::min(allowed, stated));
+    if (may_lack)
+      result.error += std::min(sum.may_lack(), result.residual * sum.reach()) / full;
+    else  // a small part of what is allowed, of which the residual need not tell
+      result.error = std::max(result.error, std::min(allowed, result.error + sum.may_lack() / full));
     if (is_sure(result)) break;
   }
   result.nodes = sum.nodes();

@@ -32,7 +32,7 @@ TEST(HidingStorm3, ManyScenesObeyTheLaws) {
     EXPECT_GE(result.sights[s], kScenes / 4) << to_string(static_cast<HidingSight3>(s));
 }
 
-// In slits 2^-54 and 2^-45 wide two rules agree on half of a factor; what is left of the residual tells that.
+// In slits 2^-54 and 2^-45 wide two rules agree on half of a factor, within 2^-46 of the edges.
 TEST(HidingStorm3, RowsStateTheirErrorsWhereTwoRulesAreWrongAlike) {
   for (const std::uint64_t number : {20'446, 20'827}) {
     const MatrixAnswer3 answer = matrix_answer_3(hiding_scene_3(number), number);
