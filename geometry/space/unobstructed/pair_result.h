@@ -42,9 +42,9 @@ struct PairRequest3 {
 //
 //   (1) S = 0 and S = S0 (is_whole: nothing between them hides anything) are decided by signs; measure is 0 iff S is.
 //       Where is_undecided, they could not be
-//   (2) |measure - S| <= error. This is an estimate: the difference of two quadratures, what may be seen from less of
-//       an edge than its parts are told by, and rounding; for a part that is bounded and not integrated, half the width
-//       of its bounds
+//   (2) |measure - S| <= error. This is an estimate: the difference of two quadratures, rounding, and what parts of
+//       edges that are too short to be looked at may add. For a part that is bounded and not integrated it is half the
+//       width of its bounds
 //   (3) bounds enclose S: proven. For sums along edges they are wide unless the request `proves`
 //   (4) where problem is empty, error is within what is allowed; else it is more, and problem says why. A number that
 //       failed the residual of translation is left out: only its bounds are given

@@ -9,22 +9,25 @@ using oracle::SpacePolygon;
 
 namespace {
 
-int side(const SpacePolygon& polygon, const SpacePoint& p) {
-  return sgn(oracle::dot(oracle::normal_of(polygon), p - polygon[0]));
-}
-
 // Left of a side, within the plane of the polygon: +1 inside.
 mpq_class inward(const SpacePolygon& polygon, std::size_t k, const SpacePoint& p) {
   const SpacePoint way = polygon[(k + 1) % polygon.size()] - polygon[k];
   return oracle::dot(oracle::cross(oracle::normal_of(polygon), way), p - polygon[k]);
 }
 
-// +1 inside, 0 on the outline, -1 outside. REQUIRES a point of its plane.
-int place(const SpacePolygon& polygon, const SpacePoint& p) {
+}  // namespace
+
+int side_of(const SpacePolygon& polygon, const SpacePoint& p) {
+  return sgn(oracle::dot(oracle::normal_of(polygon), p - polygon[0]));
+}
+
+int place_in(const SpacePolygon& polygon, const SpacePoint& p) {
   int least = 1;
   for (std::size_t k = 0; k < polygon.size(); ++k) least = std::min(least, sgn(inward(polygon, k, p)));
   return least;
 }
+
+namespace {
 
 // Does the segment, of the plane of the polygon, have more than a point inside it?
 bool runs_inside(const SpacePolygon& polygon, const SpacePoint& p, const SpacePoint& q) {
@@ -63,19 +66,20 @@ class Contacts {
 
   void look(const SpacePolygon& a, const SpacePolygon& b) {
     bool is_coplanar = true;
-    for (const SpacePoint& p : a) is_coplanar = is_coplanar && side(b, p) == 0;
+    for (const SpacePoint& p : a) is_coplanar = is_coplanar && side_of(b, p) == 0;
     if (is_coplanar) note(Contact3::kCoplanar);
     for (std::size_t k = 0; k < a.size(); ++k) look(a[k], a[(k + 1) % a.size()], b);
   }
 
   void look(const SpacePoint& p, const SpacePoint& q, const SpacePolygon& b) {
-    const int at_p = side(b, p), at_q = side(b, q);
-    if (at_p == 0 && place(b, p) > 0) note(Contact3::kCornerIn);
+    const int at_p = side_of(b, p), at_q = side_of(b, q);
+    if (at_p == 0 && place_in(b, p) > 0) note(Contact3::kCornerIn);
     if (at_p == 0 && at_q == 0 && runs_inside(b, p, q)) note(Contact3::kStands);
     if (at_p * at_q < 0) {
       const mpq_class a = oracle::dot(oracle::normal_of(b), p - b[0]), c = oracle::dot(oracle::normal_of(b), q - b[0]);
       const mpq_class t = a / (a - c);
-      if (place(b, {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.z + t * (q.z - p.z)}) > 0) note(Contact3::kPierced);
+      if (place_in(b, {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.z + t * (q.z - p.z)}) > 0)
+        note(Contact3::kPierced);
     }
     for (std::size_t k = 0; k < b.size(); ++k) {
       const SpacePoint &r = b[k], &s = b[(k + 1) % b.size()];

@@ -24,4 +24,9 @@ using ContactCounts3 = std::array<std::uint64_t, kContactKinds3>;
 const char* to_string(Contact3 contact);
 void count_contacts_3(const Polygons3& polygons, ContactCounts3& counts);
 
+// Of a point: +1 before the plane of a polygon, 0 in it, -1 behind it.
+int side_of(const oracle::SpacePolygon& polygon, const oracle::SpacePoint& p);
+// +1 inside, 0 on the outline, -1 outside. REQUIRES a point of its plane.
+int place_in(const oracle::SpacePolygon& polygon, const oracle::SpacePoint& p);
+
 }  // namespace hottel::storm

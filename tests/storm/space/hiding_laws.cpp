@@ -15,6 +15,7 @@
 #include "geometry/space/pairs/pair_details.h"
 #include "geometry/space/pairs/patch_halves.h"
 #include "tests/oracle/space/filtered_rays.h"
+#include "tests/storm/space/contacts.h"
 
 namespace hottel::storm {
 
@@ -97,13 +98,8 @@ class Drawer {
 // it.
 bool is_touched(const Polygons3& polygons, const SpacePoint& point, const SpacePoint& normal_of_patch) {
   return std::any_of(polygons.begin(), polygons.end(), [&](const SpacePolygon& polygon) {
-    const SpacePoint normal = oracle::normal_of(polygon);
-    if (dot(normal, polygon[0] - point) != 0 || cross(normal, normal_of_patch) == SpacePoint{}) return false;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-      const SpacePoint side = polygon[(k + 1) % polygon.size()] - polygon[k];
-      if (dot(normal, cross(side, point - polygon[k])) < 0) return false;
-    }
-    return true;
+    return side_of(polygon, point) == 0 && cross(oracle::normal_of(polygon), normal_of_patch) != SpacePoint{} &&
+           place_in(polygon, point) >= 0;
   });
 }
 
