@@ -14,6 +14,8 @@ namespace {
 constexpr std::array<double, 8> kPlaces{0.4837, 0.3911, 0.6123, 0.2719, 0.7351, 0.1523, 0.8713, 0.5531};
 // So near to an end of a piece a zero may be that of the end.
 constexpr double kHarmless = 1e-13;
+// So many times the width of what is nearly zero is away from there.
+constexpr double kApart = 4;
 // Parts of a stretch below this are left out.
 constexpr double kLeast = 0x1p-51;
 constexpr std::uint32_t kMostPieces = 20000;
@@ -416,15 +418,25 @@ void StretchMapper3::set_signature(StretchPiece3& piece) {
 }
 
 // Where a vector is zero at an end of a piece its direction goes on analytically. Within a piece it is never zero: it
-// passes by, however close, and its direction turns over.
+// passes by, however close, and its direction turns over. A vector that is quadratic in t may do so twice; away from
+// the first time, s = 0, it points as slope + s third, or the opposite, whose own zero tells of the other one: also
+// where the first is at an end.
 void StretchMapper3::add_near_zero(const MovingVector3& vector, StretchPiece3& piece) {
+  const auto add = [&piece](double at, double width) {
+    const bool is_within = at - piece.low > kHarmless && piece.high - at > kHarmless;
+    if ((width > kHarmless || is_within) && width < piece.high - piece.low) piece.near_zeros.push_back({at, width});
+  };
   const double at = vector.base + nearest_to_zero(vector, piece.low - vector.base, piece.high - vector.base);
   const Direction3 value = vector.at(at, 0), slope = vector.second + (2 * (at - vector.base)) * vector.third;
   const double speed = std::sqrt(dot(slope, slope));
-  if (!(speed > 0)) return;
-  const double width = std::sqrt(dot(value, value)) / speed;
-  const bool is_within = at - piece.low > kHarmless && piece.high - at > kHarmless;
-  if ((width > kHarmless || is_within) && width < piece.high - piece.low) piece.near_zeros.push_back({at, width});
+  const double width = speed > 0 ? std::sqrt(dot(value, value)) / speed : 0;
+  if (speed > 0) add(at, width);
+  const double square = dot(vector.third, vector.third);
+  if (!(square > 0)) return;
+  const double way = -dot(slope, vector.third) / square;
+  const Direction3 passing = slope + way * vector.third;
+  const double other_width = std::sqrt(dot(passing, passing) / square);
+  if (kApart * width < std::max(std::fabs(way), other_width)) add(at + way, other_width);
 }
 
 // The corner that a label tells of.

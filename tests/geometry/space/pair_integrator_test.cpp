@@ -357,6 +357,30 @@ TEST(PairResult3Sweep, EventsNextToTheEndOfASideAreToldApart) {
   }
 }
 
+// A floor leaves a triangle of g times 2^12 g of a wall to see, and from a slope that leaves its corner at a small
+// angle that triangle passes within g, just where the wall and the slope touch: what bounds it is zero there, and
+// nearly zero a second time. The same as the triangle by itself.
+TEST(PairResult3Sweep, WhatPassesCloseToAZeroAtTheEndOfASideIsSeen) {
+  const Rational h = two_to_minus(12), grazing = ratio(1, 1'000'000);
+  for (int k = 20; k <= 42; k += 2) {
+    const Rational g = two_to_minus(k);
+    const Points slope{{1, -1, -g}, {1 + grazing, -grazing, -68 * g}, {0, 0, -g}};
+    const Pair pair({{{1, 0, h}, {0, 0, h}, {0, 0, -g}}, slope, rectangle(-4, 4, -4, 4, 0)});
+    const Pair alone({{{g / (h + g), 0, 0}, {0, 0, 0}, {0, 0, -g}}, slope});
+    for (const double tolerance : {1e-8, 1e-10, 1e-12}) {
+      PairRequest3 request;
+      request.tolerance = tolerance;
+      const PairResult3 result = pair.measure(request);
+      EXPECT_EQ(result.problem, "") << k << ", " << tolerance;
+      const double scale = pair.area(pair.patch(0)) / to_double((h + g) / 2);
+      const double expected = alone.factor() * to_double(g * g / (h + g) / 2) * scale;
+      EXPECT_NEAR(result.measure, expected, result.error) << k << ", " << tolerance;
+      EXPECT_LT(result.residual, 1e-12 * std::sqrt(scale)) << k << ", " << tolerance;
+      EXPECT_LT(result.nodes, 5000u) << k << ", " << tolerance;
+    }
+  }
+}
+
 TEST(PairResult3Sweep, ADihedralClosesAroundAnOccluder) {
   // Two squares with a common edge, a small angle apart, and a needle between them that hides nothing in the limit.
   for (int k = 1; k <= 50; k += 7) {

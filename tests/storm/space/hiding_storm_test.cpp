@@ -52,6 +52,16 @@ TEST(HidingStorm3, RaysFromWhereSomethingTouchesThePatchTellNothing) {
   EXPECT_EQ(result.all_failures(), 0u) << report(result, {hiding_laws_3()[1]});
 }
 
+// A floor leaves 2^-40 of a wall to see, next to where a slope touches it: what bounds it is nearly zero twice.
+TEST(HidingStorm3, NothingIsRefusedWhereAVectorIsNearlyZeroTwice) {
+  StormOptions options;
+  options.scenes = 1;
+  options.first = 106'469;
+  const HidingStormResult3 result = run_hiding_storm_3(options, {hiding_laws_3()[4]});
+  ASSERT_STREQ(hiding_laws_3()[4].name, "closure");
+  EXPECT_EQ(result.all_failures(), 0u) << report(result, {hiding_laws_3()[4]});
+}
+
 TEST(HidingStorm3, IsTheSameForAnyNumberOfThreads) {
   StormOptions options;
   options.scenes = 6;
