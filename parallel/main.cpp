@@ -1,4 +1,5 @@
-// The program `hottel-mpi`: the same as `hottel`, whose view factors and radiosities several processes compute.
+// The program `hottel-mpi`: the same as `hottel`, whose view factors, radiosities and grids in space several processes
+// compute.
 #include <algorithm>
 #include <memory>
 
@@ -9,12 +10,13 @@
 #include "parallel/leader.h"
 #include "parallel/plane/sweep_crew.h"
 #include "parallel/row_crew.h"
+#include "parallel/space/cell_crew.h"
 #include "parallel/space/pair_crew.h"
 
 namespace hottel {
 namespace {
 
-constexpr char kPlane = '2', kSpace = '3', kRows = 'r';
+constexpr char kPlane = '2', kSpace = '3', kRows = 'r', kCells = 'c';
 
 // Jobs of all kinds.
 class AllJobs : public HelperJobs {
@@ -23,12 +25,15 @@ class AllJobs : public HelperJobs {
     HelperJobs* jobs = &rows_;
     if (bytes.front() == kPlane) jobs = &plane_;
     if (bytes.front() == kSpace) jobs = &space_;
+    if (bytes.front() == kCells) jobs = &cells_;
     return jobs->make(bytes.substr(1));
   }
 
  private:
+  KeptScene3 kept_;
   SweepJobs2 plane_;
-  PairJobs3 space_;
+  PairJobs3 space_{kept_};
+  CellJobs3 cells_{kept_};
   RowJobs rows_;
 };
 
@@ -36,11 +41,13 @@ int lead(Channel& channel, int argc, const char* const* argv) {
   Leader leader(channel);
   LedSweepCrew2 plane(leader, kPlane);
   LedPairCrew3 space(leader, kSpace);
+  LedCellCrew3 cells(leader, kCells);
   LedRowCrew rows(leader, kRows);
   int code = 0;
   {
     const CrewScope<SweepCrew2> in_the_plane(plane);
     const CrewScope<PairCrew3> in_space(space);
+    const CrewScope<CellCrew3> of_grids(cells);
     const CrewScope<RowCrew> of_systems(rows);
     Commands commands;
     add_all_commands(commands);

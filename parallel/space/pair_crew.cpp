@@ -28,7 +28,7 @@ class LedPairWork3 : public PairWork3 {
 
 class HelperPairJob3 : public HelperJob {
  public:
-  HelperPairJob3(std::string_view bytes, ReceivedPairJob3::Kept& kept)
+  HelperPairJob3(std::string_view bytes, KeptScene3& kept)
       : job_(bytes, kept), helper_(*job_.prepared, *job_.table, job_.request) {}
 
   std::string work(const WorkRange& tasks, std::string_view) override {

@@ -26,10 +26,12 @@ class LedPairCrew3 : public PairCrew3 {
 // On the others: makes jobs of what begin() sent, without the mark.
 class PairJobs3 : public HelperJobs {
  public:
+  // REQUIRES that what is kept outlives it.
+  explicit PairJobs3(KeptScene3& kept) : kept_(kept) {}
   std::unique_ptr<HelperJob> make(std::string_view bytes) override;
 
  private:
-  ReceivedPairJob3::Kept kept_;
+  KeptScene3& kept_;
 };
 
 }  // namespace hottel

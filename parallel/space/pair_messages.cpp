@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <utility>
-#include <variant>
 
 #include "kernel/support/failure.h"
 
@@ -35,13 +34,6 @@ PairRanges take_ranges(MessageReader& reader) {
       known.add(i, range);
     }
   return known;
-}
-
-// What shows that two processes have the same elements: their areas to the last bit, and how many patches each has.
-void put_extents(const ElementTable3& table, MessageWriter& writer) {
-  writer.put(table.count(), std::uint64_t{table.parts().size()});
-  for (std::uint32_t label = 0; label < table.count(); ++label)
-    writer.put(std::uint64_t{table.parts(label).size()}, table.extent(label).value);
 }
 
 // Which of its own patches a pair is of: of one label, all or what is free of it.
@@ -82,18 +74,12 @@ void for_each_count(Report& counts, const Visit& visit) {
     visit(*count);
 }
 
-PreparedScene3 prepared_scene(MessageReader& reader) { return prepare(std::get<Scene3>(take_scene(reader))); }
-
 }  // namespace
 
 std::string pair_job_message_3(const PairJob3& job) {
   const PairSumRequest3& request = job.request;
-  MessageWriter scene, writer, extents;
-  put_scene(job.prepared.scene, scene);
-  put_extents(job.table, extents);
-  writer.put_text(scene.bytes());
-  writer.put(job.granularity);
-  writer.put_text(extents.bytes());
+  MessageWriter writer;
+  put_elements_3(job.prepared, job.granularity, writer);
   writer.put(request.tolerance, request.proves, request.wants_visibility, request.turn != nullptr);
   if (request.turn == nullptr) return writer.bytes();
   const PairTurn3& turn = *request.turn;
@@ -105,14 +91,11 @@ std::string pair_job_message_3(const PairJob3& job) {
   return writer.bytes();
 }
 
-ReceivedPairJob3::ReceivedPairJob3(std::string_view bytes, Kept& kept) {
+ReceivedPairJob3::ReceivedPairJob3(std::string_view bytes, KeptScene3& kept) {
   MessageReader reader(bytes);
-  prepared = kept.prepared(reader.take_text(), prepared_scene);
-  table = prepared->elements(reader.take<Granularity>());
-  MessageWriter extents;
-  put_extents(*table, extents);
-  if (extents.bytes() != reader.take_text())
-    throw RequestError("it makes other elements of the scene: all ranks must run the same program and libraries");
+  const ReceivedElements3 elements = take_elements_3(reader, kept);
+  prepared = elements.prepared;
+  table = elements.table;
   bool has_turn = false;
   reader.take_into(request.tolerance, request.proves, request.wants_visibility, has_turn);
   if (!has_turn) return;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/space/exchange/pair_crew.h"
-#include "parallel/scene_message.h"
+#include "parallel/space/element_messages.h"
 
 namespace hottel {
 
@@ -17,8 +17,6 @@ std::string pair_job_message_3(const PairJob3& job);
 
 // A job that was read, with all that its request points to.
 struct ReceivedPairJob3 {
-  using Kept = KeptScene<PreparedScene3>;
-
   std::shared_ptr<const PreparedScene3> prepared;
   std::shared_ptr<const ElementTable3> table;
   PairSumRequest3 request;  // its turn points to the lists below
@@ -28,7 +26,7 @@ struct ReceivedPairJob3 {
   std::optional<PairTurn3> turn;
 
   // Throws RequestError where this process makes other elements of the scene than the one that wrote it.
-  ReceivedPairJob3(std::string_view bytes, Kept& kept);
+  ReceivedPairJob3(std::string_view bytes, KeptScene3& kept);
   ReceivedPairJob3(const ReceivedPairJob3&) = delete;
   ReceivedPairJob3& operator=(const ReceivedPairJob3&) = delete;
 };

@@ -16,8 +16,12 @@
 #include "parallel/message.h"
 #include "parallel/plane/sweep_messages.h"
 #include "parallel/scene_message.h"
+#include "parallel/space/cell_messages.h"
 #include "parallel/space/pair_messages.h"
+#include "solver/space/light/illumination_grid.h"
+#include "tests/lit_grids.h"
 #include "tests/same_matrix.h"
+#include "tests/shuffled_cells.h"
 #include "tests/shuffled_work.h"
 
 namespace hottel::messages_test {
@@ -36,7 +40,7 @@ class CrewThroughBytes3 : public ShuffledCrew3 {
     struct Other {
       ReceivedPairJob3 job;
       PairHelper3 helper;
-      Other(std::string_view bytes, ReceivedPairJob3::Kept& kept)
+      Other(std::string_view bytes, KeptScene3& kept)
           : job(bytes, kept), helper(*job.prepared, *job.table, job.request) {}
     };
     const auto other = std::make_shared<Other>(pair_job_message_3(job), kept_);
@@ -46,7 +50,7 @@ class CrewThroughBytes3 : public ShuffledCrew3 {
   }
 
  private:
-  ReceivedPairJob3::Kept kept_;
+  KeptScene3 kept_;
 };
 
 class CrewThroughBytes2 : public ShuffledCrew2 {
@@ -64,6 +68,20 @@ class CrewThroughBytes2 : public ShuffledCrew2 {
 
  private:
   ReceivedSweepJob2::Kept kept_;
+};
+
+class CellsThroughBytes3 : public ShuffledCells3 {
+ public:
+  using ShuffledCells3::ShuffledCells3;
+
+ protected:
+  std::function<LitCells3(const WorkRange&)> elsewhere(const CellJob3& job) override {
+    const auto other = std::make_shared<ReceivedCellJob3>(cell_job_message_3(job), kept_);
+    return [other](const WorkRange& cells) { return read_lit_3(lit_message_3(other->light->means(cells))); };
+  }
+
+ private:
+  KeptScene3 kept_;
 };
 
 PreparedScene3 in_space(const std::string& name, std::uint32_t parts) {
@@ -154,6 +172,20 @@ TEST(Messages, CarrySweepsInThePlaneBitForBit) {
   }
 }
 
+TEST(Messages, CarryTheLightOfGridsInSpaceBitForBit) {
+  for (const LitGrid3& lit : lit_grids_3()) {
+    const Simulation3 simulation = simulation_of(lit, kScenes);
+    const auto light = [&] {
+      return illuminate_points(*simulation.prepared(), lit.granularity, *simulation.radiosities(), lit.grid).values;
+    };
+    const std::vector<double> expected = light();
+    CellsThroughBytes3 crew(9);
+    const CrewScope<CellCrew3> scope(crew);
+    EXPECT_EQ(bits_of(light()), bits_of(expected)) << lit.scene;
+    EXPECT_EQ(crew.grids(), 1);
+  }
+}
+
 TEST(Messages, CarryScenesWithTheTreesBelowTheirElements) {
   Scene3 scene = read_scene_3(kScenes + "space/two_boxes.json");
   scene.surfaces[1].trees.front = uniform_leaves(1, 4, 2);
@@ -172,8 +204,16 @@ TEST(Messages, OfOtherElementsAreRefused) {
   const auto table = three.elements(Granularity::kElement);
   // The scene of one with the elements of the other: as of two programs that disagree.
   const std::string bytes = pair_job_message_3({two, Granularity::kElement, *table, {}, {}});
-  ReceivedPairJob3::Kept kept;
+  KeptScene3 kept;
   EXPECT_THROW(ReceivedPairJob3(bytes, kept), RequestError);
+}
+
+TEST(Messages, OfLightThatBreakOffAreRefused) {
+  const std::string bytes = lit_message_3({{2, 4}, {1, 2, 3, 4, 5, 6}});
+  EXPECT_EQ(read_lit_3(bytes).values.size(), 6u);
+  for (const std::size_t size : {std::size_t{0}, std::size_t{7}, bytes.size() / 2, bytes.size() - 1})
+    EXPECT_THROW(read_lit_3(std::string_view(bytes).substr(0, size)), ContractViolation);
+  EXPECT_THROW(read_lit_3(bytes + "x"), ContractViolation);
 }
 
 TEST(Messages, ThatBreakOffAreRefused) {

@@ -114,6 +114,18 @@ TEST(Ranks, GiveTheRadiositiesOfOneProcess) {
   expect_same_on({1, 2, 3, 5}, "solve " + kScenes + "space/cube.json --elements 10 -o out --render none.png");
 }
 
+// Planar grids and volumes, lights among solids, and a picture of what is lit.
+TEST(Ranks, GiveTheLightOfOneProcess) {
+  const Workplace place;
+  std::string scene = testing_cli::contents(kScenes + "lights/stage.json");
+  scene.insert(scene.rfind('}'), R"(, "grid": [
+    {"name": "plan", "origin": [-2, -2, 1], "u": [8, 0, 0], "v": [0, 8, 0], "cells": [20, 16]},
+    {"name": "air", "origin": [0, 0, 0.5], "u": [4, 0, 0], "v": [0, 4, 0], "w": [0, 0, 2], "cells": [6, 5, 4]}])");
+  place.write("stage.json", scene);
+  expect_same_on({1, 2, 3, 5}, "solve " + place.path("stage.json").string() + " --tolerance 1e-4 -o out");
+  expect_same_on({3}, "solve " + place.path("stage.json").string() + " --tolerance 1e-4 --illumination average -o out");
+}
+
 TEST(Ranks, RefuseOnceWithTheCodeOfOneProcess) {
   const Workplace place;
   const auto count_of = [](const std::string& text, const std::string& part) {

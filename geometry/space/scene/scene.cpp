@@ -36,4 +36,13 @@ Point3 place_in(const Grid3& grid, const Rational& s, const Rational& t, const R
   return {place.x + r * grid.w->x, place.y + r * grid.w->y, place.z + r * grid.w->z};
 }
 
+Point3 cell_centre(const Grid3& grid, std::size_t cell) {
+  const auto middle = [](std::size_t k, std::size_t count) -> Rational {
+    return Rational(2 * k + 1) / Rational(2 * count);
+  };
+  const std::size_t layer = std::size_t{grid.nu} * grid.nv, in_layer = cell % layer;
+  return place_in(grid, middle(in_layer % grid.nu, grid.nu), middle(in_layer / grid.nu, grid.nv),
+                  middle(cell / layer, grid.nw));
+}
+
 }  // namespace hottel

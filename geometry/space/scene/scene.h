@@ -1,6 +1,7 @@
 // A scene in space, exactly as it was typed.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -82,6 +83,10 @@ std::string grid_problem(const Grid3& grid);
 
 // Returns origin + s u + t v, and + r w in a volume.
 Point3 place_in(const Grid3& grid, const Rational& s, const Rational& t, const Rational& r = 0);
+
+// Returns the centre of a cell, exactly. Cell 0 is the one at the origin; those along u follow each other, then those
+// along v, then those along w.
+Point3 cell_centre(const Grid3& grid, std::size_t cell);
 
 // The scene, in the order of the file: polygons, then the faces of meshes.
 //

@@ -1,44 +1,58 @@
 #include "solver/space/light/illumination_grid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <span>
 
 #include "geometry/space/prepared/prepared_scene.h"
+#include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 #include "kernel/support/progress_count.h"
 #include "kernel/support/stopwatch.h"
+#include "solver/space/light/cell_crew.h"
 #include "solver/space/light/scene_lights.h"
-#include "solver/space/light/sent_out.h"
 
 namespace hottel {
+namespace {
+
+IlluminationGrid3 unlit(const Grid3& grid, std::uint32_t channels) {
+  return {grid, channels, std::vector<double>(grid.cells() * channels, std::numeric_limits<double>::quiet_NaN())};
+}
+
+// Here alone, or with others.
+std::unique_ptr<CellWork3> begin_work(const PreparedScene3& prepared, Granularity granularity,
+                                      const RadiositySolution& solution, const Grid3& grid) {
+  const WorkSizes sizes{.count = grid.cells(), .least = 4, .most = 256};
+  if (CellCrew3* const crew = CrewScope<CellCrew3>::crew())
+    if (auto work = crew->begin({prepared, granularity, solution, grid, sizes})) return work;
+  return std::make_unique<OwnWork<LitCells3>>(sizes, static_cast<std::size_t>(threads_allowed()));
+}
+
+void take(const LitCells3& lit, IlluminationGrid3& result) {
+  HOTTEL_REQUIRE(lit.tasks.end <= result.grid.cells() && lit.values.size() == lit.tasks.size() * result.channels);
+  std::ranges::copy(lit.values, result.values.begin() + static_cast<std::ptrdiff_t>(lit.tasks.begin * result.channels));
+}
+
+}  // namespace
 
 std::optional<double> IlluminationGrid3::max_error() const {
   if (errors.empty()) return std::nullopt;
   return *std::ranges::max_element(errors);
 }
 
-Point3 cell_centre(const Grid3& grid, std::size_t cell) {
-  const auto middle = [](std::size_t k, std::size_t count) -> Rational {
-    return Rational(2 * k + 1) / Rational(2 * count);
-  };
-  const std::size_t layer = std::size_t{grid.nu} * grid.nv, in_layer = cell % layer;
-  return place_in(grid, middle(in_layer % grid.nu, grid.nu), middle(in_layer / grid.nu, grid.nv),
-                  middle(cell / layer, grid.nw));
-}
-
 IlluminationGrid3 light_in_cells(const Grid3& grid, std::uint32_t channels,
                                  const std::function<void(const Point3& centre, std::span<double> light)>& light_at,
                                  const std::function<void(double)>& progress) {
   Stopwatch watch;
-  IlluminationGrid3 result{grid, channels, {}};
-  const std::size_t cells = grid.cells();
-  result.values.assign(cells * channels, std::numeric_limits<double>::quiet_NaN());
-  ProgressCount count(progress, cells);
+  IlluminationGrid3 result = unlit(grid, channels);
+  ProgressCount count(progress, grid.cells());
   parallel_for(
-      cells,
+      grid.cells(),
       [&](std::size_t cell) {
-        light_at(cell_centre(grid, cell), std::span(result.values).subspan(cell * channels, channels));
+        light_at(cell_centre(grid, cell), result.of_cell(cell));
         count.add(1);
       },
       4);
@@ -50,16 +64,38 @@ IlluminationGrid3 illuminate_points(const PreparedScene3& prepared, Granularity 
                                     const RadiositySolution& solution, const Grid3& grid,
                                     const std::function<void(double)>& progress) {
   Stopwatch watch;
-  const SentOut3 sent_out(prepared, granularity, solution);
+  IlluminationGrid3 result = unlit(grid, static_cast<std::uint32_t>(solution.channels.size()));
+  const LightOfElements3 elements(prepared, granularity, solution, grid);
   const SceneLights3 lights(prepared);
-  IlluminationGrid3 result = light_in_cells(
-      grid, static_cast<std::uint32_t>(solution.channels.size()),
-      [&](const Point3& centre, std::span<double> light) {
-        if (prepared.arrangement().solids().around(centre)) return;
-        sent_out.mean(centre, light);
-        lights.add(centre, light);
-      },
-      progress);
+  const std::unique_ptr<CellWork3> work = begin_work(prepared, granularity, solution, grid);
+  ProgressCount progress_count(progress, grid.cells());
+  WorkCount done;
+  std::mutex together;
+  const auto light_some = [&] {
+    WorkCount mine;
+    for (WorkTurn<LitCells3> turn = work->next(); !turn.is_over(); turn = work->next()) {
+      const WorkRange& cells = turn.there ? turn.there->tasks : turn.here;
+      if (turn.there) take(*turn.there, result);
+      for (std::size_t cell = cells.begin; cell < cells.end; ++cell) {
+        const std::span<double> light = result.of_cell(cell);
+        if (!turn.there) elements.mean(cell, light);
+        if (!std::isnan(light.front())) lights.add(cell_centre(grid, cell), light);
+        progress_count.add();
+      }
+      mine.add(cells);
+    }
+    const std::lock_guard lock(together);
+    done.add(mine);
+  };
+  parallel_for(static_cast<std::size_t>(threads_allowed()), [&](std::size_t) {
+    try {
+      light_some();
+    } catch (...) {
+      work->stop();
+      throw;
+    }
+  });
+  HOTTEL_REQUIRE(done.has_each_once(grid.cells()));
   result.seconds = watch.lap();
   return result;
 }

@@ -16,9 +16,9 @@ namespace hottel {
 
 struct PreparedScene3;
 
-// A value for each cell and channel, in C order (nv, nu, channels), of a volume (nw, nv, nu, channels): index 0 is the
-// cell at the origin, and cells along u follow each other. NaN in all channels: the centre of the cell is in a solid,
-// or the scene is closed and the centre sees no face with a material.
+// A value for each cell and channel, in C order (nv, nu, channels), of a volume (nw, nv, nu, channels): cells in the
+// order of cell_centre(). NaN in all channels: the centre of the cell is in a solid, or the scene is closed and the
+// centre sees no face with a material.
 struct IlluminationGrid3 {
   Grid3 grid;
   std::uint32_t channels = 1;
@@ -37,10 +37,9 @@ struct IlluminationGrid3 {
   double at(std::uint32_t iu, std::uint32_t iv, std::uint32_t channel = 0) const {
     return values[(std::size_t{iv} * grid.nu + iu) * channels + channel];
   }
+  // The channels of a cell. REQUIRES cell < grid.cells().
+  std::span<double> of_cell(std::size_t cell) { return std::span(values).subspan(cell * channels, channels); }
 };
-
-// Returns the centre of a cell, exactly: cells in the order of IlluminationGrid3.
-Point3 cell_centre(const Grid3& grid, std::size_t cell);
 
 // Returns a grid with what `light_at` writes at the centre of each cell, on all threads; what it leaves is NaN.
 // progress: fraction done; may throw to stop. REQUIRES that cells do not depend on each other.
@@ -56,7 +55,7 @@ IlluminationGrid3 light_in_cells(const Grid3& grid, std::uint32_t channels,
 //       does not depend on the others
 //   (2) directions to the sky carry its emission; black sides are 0. A centre on a face sees both half spaces
 //   (3) without lights never below the least nor above the largest radiosity seen but for rounding: some 1e-15 of it
-//   (4) the same bits for any number of threads
+//   (4) the same bits for any number of threads, and whoever takes part (cell_crew.h)
 //
 // progress: fraction done; may throw to stop. Throws Interrupted when asked to stop. REQUIRES the solution of the
 // scene's matrix by that granularity. COST: that of a map a cell, and for each face that is seen and divided the
