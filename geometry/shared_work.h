@@ -7,9 +7,11 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "kernel/support/failure.h"
+#include "kernel/support/parallel.h"
 
 namespace hottel {
 
@@ -161,5 +163,36 @@ class WorkCount {
  private:
   std::vector<WorkRange> done_;
 };
+
+// Shares a job with the crew of this process; does it here alone where there is none, or it does not take part.
+template <class Done, class Job>
+std::unique_ptr<SharedWork<Done>> begin_shared(const Job& job) {
+  if (WorkCrew<Job, Done>* const crew = CrewScope<WorkCrew<Job, Done>>::crew())
+    if (auto work = crew->begin(job)) return work;
+  return std::make_unique<OwnWork<Done>>(job.tasks, static_cast<std::size_t>(threads_allowed()));
+}
+
+// Calls take(turn) for all turns of some work, on all threads at once. Throws what that throws, which ends the work,
+// and ContractViolation unless each of so many tasks came once.
+template <class Done, class Take>
+void take_all_turns(SharedWork<Done>& work, std::size_t tasks, const Take& take) {
+  WorkCount done;
+  std::mutex together;
+  parallel_for(static_cast<std::size_t>(threads_allowed()), [&](std::size_t) {
+    WorkCount mine;
+    try {
+      for (WorkTurn<Done> turn = work.next(); !turn.is_over(); turn = work.next()) {
+        mine.add(turn.there ? turn.there->tasks : turn.here);
+        take(std::move(turn));
+      }
+    } catch (...) {
+      work.stop();
+      throw;
+    }
+    const std::lock_guard lock(together);
+    done.add(mine);
+  });
+  HOTTEL_REQUIRE(done.has_each_once(tasks));
+}
 
 }  // namespace hottel

@@ -343,9 +343,7 @@ std::unique_ptr<PairWork3> begin_work(const PreparedScene3& prepared, const Elem
                                       const PairSumRequest3& request, const Tasks& tasks) {
   constexpr std::size_t kMostAtATime = 4096;  // what is found of them is some megabytes
   const WorkSizes sizes{.count = tasks.count(), .dear = tasks.with_sky(), .most = kMostAtATime};
-  PairCrew3* const crew = request.shared ? CrewScope<PairCrew3>::crew() : nullptr;
-  if (crew != nullptr)
-    if (auto work = crew->begin({prepared, *request.shared, table, request, sizes})) return work;
+  if (request.shared) return begin_shared<DoneTasks3>(PairJob3{prepared, *request.shared, table, request, sizes});
   return std::make_unique<OwnWork<DoneTasks3>>(sizes, static_cast<std::size_t>(threads_allowed()));
 }
 
@@ -402,7 +400,6 @@ PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, 
   std::optional<PairHandover3> handover;
   if (request.sink) handover.emplace(table, labels, tasks, request, found);
   const std::unique_ptr<PairWork3> work = begin_work(prepared, table, request, tasks);
-  WorkCount done;
   const auto have = [&](std::size_t t, Found some) {
     some.pairs.shrink_to_fit();
     some.open.shrink_to_fit();
@@ -414,44 +411,32 @@ PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, 
                          " pairs see each other: they need more memory than is allowed");
     progress.add();
   };
-  const auto measure_some = [&] {
+  const auto measure_some = [&](WorkTurn<DoneTasks3> turn) {
     ExchangeReport3 counts;
-    WorkCount mine;
-    for (WorkTurn<DoneTasks3> turn = work->next(); !turn.is_over(); turn = work->next()) {
-      const WorkRange& range = turn.there ? turn.there->tasks : turn.here;
-      if (turn.there) {
-        add_counts(counts, turn.there->counts);
-        auto some = turn.there->found.begin();
-        const auto end = turn.there->found.end();
-        for (std::size_t t = range.begin; t < range.end; ++t)
-          have(t, some != end && some->first == t ? std::move((some++)->second) : Found());
-      } else {
-        for (std::size_t t = range.begin; t < range.end; ++t) {
-          Found some;
-          measuring.run(tasks[t], some, counts);
-          have(t, std::move(some));
-        }
+    if (turn.there) {
+      counts = turn.there->counts;
+      auto some = turn.there->found.begin();
+      const auto end = turn.there->found.end();
+      for (std::size_t t = turn.there->tasks.begin; t < turn.there->tasks.end; ++t)
+        have(t, some != end && some->first == t ? std::move((some++)->second) : Found());
+    } else {
+      for (std::size_t t = turn.here.begin; t < turn.here.end; ++t) {
+        Found some;
+        measuring.run(tasks[t], some, counts);
+        have(t, std::move(some));
       }
-      mine.add(range);
     }
     const std::lock_guard lock(together);
     add_counts(report, counts);
-    done.add(mine);
   };
   try {
-    parallel_for(static_cast<std::size_t>(threads_allowed()), [&](std::size_t) {
-      try {
-        measure_some();
-      } catch (...) {
-        work->stop();
-        throw;
-      }
-    });
+    take_all_turns(*work, tasks.count(), measure_some);
+  } catch (const ContractViolation&) {
+    throw;  // what was found may be counted twice
   } catch (...) {
     if (handover) hand_over_before(*handover);
     throw;
   }
-  HOTTEL_REQUIRE(done.has_each_once(tasks.count()));
   if (handover) handover->hand_over();
 
   // What has not been handed over: everything, or pairs that are open.

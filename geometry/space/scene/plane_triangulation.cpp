@@ -1,5 +1,6 @@
 #include "geometry/space/scene/plane_triangulation.h"
 
+#define CGAL_NO_CDT_2_WARNING  // builds with assertions say that crossings cost much: there are few
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <mutex>
 #include <span>
 
 #include "geometry/space/prepared/prepared_scene.h"
@@ -20,15 +18,6 @@ namespace {
 
 IlluminationGrid3 unlit(const Grid3& grid, std::uint32_t channels) {
   return {grid, channels, std::vector<double>(grid.cells() * channels, std::numeric_limits<double>::quiet_NaN())};
-}
-
-// Here alone, or with others.
-std::unique_ptr<CellWork3> begin_work(const PreparedScene3& prepared, Granularity granularity,
-                                      const RadiositySolution& solution, const Grid3& grid) {
-  const WorkSizes sizes{.count = grid.cells(), .least = 4, .most = 256};
-  if (CellCrew3* const crew = CrewScope<CellCrew3>::crew())
-    if (auto work = crew->begin({prepared, granularity, solution, grid, sizes})) return work;
-  return std::make_unique<OwnWork<LitCells3>>(sizes, static_cast<std::size_t>(threads_allowed()));
 }
 
 void take(const LitCells3& lit, IlluminationGrid3& result) {
@@ -67,35 +56,18 @@ IlluminationGrid3 illuminate_points(const PreparedScene3& prepared, Granularity 
   IlluminationGrid3 result = unlit(grid, static_cast<std::uint32_t>(solution.channels.size()));
   const LightOfElements3 elements(prepared, granularity, solution, grid);
   const SceneLights3 lights(prepared);
-  const std::unique_ptr<CellWork3> work = begin_work(prepared, granularity, solution, grid);
+  const CellJob3 job{prepared, granularity, solution, grid, {.count = grid.cells(), .least = 4, .most = 256}};
   ProgressCount progress_count(progress, grid.cells());
-  WorkCount done;
-  std::mutex together;
-  const auto light_some = [&] {
-    WorkCount mine;
-    for (WorkTurn<LitCells3> turn = work->next(); !turn.is_over(); turn = work->next()) {
-      const WorkRange& cells = turn.there ? turn.there->tasks : turn.here;
-      if (turn.there) take(*turn.there, result);
-      for (std::size_t cell = cells.begin; cell < cells.end; ++cell) {
-        const std::span<double> light = result.of_cell(cell);
-        if (!turn.there) elements.mean(cell, light);
-        if (!std::isnan(light.front())) lights.add(cell_centre(grid, cell), light);
-        progress_count.add();
-      }
-      mine.add(cells);
-    }
-    const std::lock_guard lock(together);
-    done.add(mine);
-  };
-  parallel_for(static_cast<std::size_t>(threads_allowed()), [&](std::size_t) {
-    try {
-      light_some();
-    } catch (...) {
-      work->stop();
-      throw;
+  take_all_turns(*begin_shared<LitCells3>(job), grid.cells(), [&](const WorkTurn<LitCells3>& turn) {
+    if (turn.there) take(*turn.there, result);
+    const WorkRange& cells = turn.there ? turn.there->tasks : turn.here;
+    for (std::size_t cell = cells.begin; cell < cells.end; ++cell) {
+      const std::span<double> light = result.of_cell(cell);
+      if (!turn.there) elements.mean(cell, light);
+      if (!std::isnan(light.front())) lights.add(cell_centre(grid, cell), light);
+      progress_count.add();
     }
   });
-  HOTTEL_REQUIRE(done.has_each_once(grid.cells()));
   result.seconds = watch.lap();
   return result;
 }
