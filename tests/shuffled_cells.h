@@ -12,7 +12,7 @@ namespace hottel {
 
 class ShuffledCells3 : public CellCrew3 {
  public:
-  explicit ShuffledCells3(std::uint64_t seed, Fault fault = Fault::kNone) : seed_(seed), fault_(fault) {}
+  explicit ShuffledCells3(std::uint64_t seed, WorkFault fault = WorkFault::kNone) : seed_(seed), fault_(fault) {}
   std::unique_ptr<CellWork3> begin(const CellJob3& job) override {
     ++grids_;
     return std::make_unique<ShuffledWork<LitCells3>>(job.tasks.count, seed_, fault_, elsewhere(job));
@@ -27,7 +27,7 @@ class ShuffledCells3 : public CellCrew3 {
 
  private:
   std::uint64_t seed_;
-  Fault fault_;
+  WorkFault fault_;
   int grids_ = 0;
 };
 

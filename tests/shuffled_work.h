@@ -16,14 +16,14 @@
 
 namespace hottel {
 
-enum class Fault : unsigned char { kNone, kLost, kTwice };
+enum class WorkFault : unsigned char { kNone, kLost, kTwice };
 
 // Cuts tasks into ranges at random and deals these in a random order, about half of them done elsewhere. A fault is
 // that the first of those that are done elsewhere is lost, or comes twice.
 template <class Done>
 class ShuffledWork : public SharedWork<Done> {
  public:
-  ShuffledWork(std::size_t count, std::uint64_t seed, Fault fault, std::function<Done(const WorkRange&)> elsewhere)
+  ShuffledWork(std::size_t count, std::uint64_t seed, WorkFault fault, std::function<Done(const WorkRange&)> elsewhere)
       : fault_(fault), elsewhere_(std::move(elsewhere)), random_(seed) {
     for (std::size_t begin = 0; begin < count;) {
       const std::size_t end = std::min(count, begin + 1 + random_() % (1 + count / 8));
@@ -38,11 +38,11 @@ class ShuffledWork : public SharedWork<Done> {
     while (!left_.empty()) {
       const WorkRange range = left_.back();
       left_.pop_back();
-      const bool is_last = left_.empty() && fault_ != Fault::kNone;
+      const bool is_last = left_.empty() && fault_ != WorkFault::kNone;
       if (!is_last && random_() % 2 == 0) return {.here = range};
-      const Fault fault = std::exchange(fault_, Fault::kNone);
-      if (fault == Fault::kLost) continue;
-      if (fault == Fault::kTwice) left_.push_back(range);
+      const WorkFault fault = std::exchange(fault_, WorkFault::kNone);
+      if (fault == WorkFault::kLost) continue;
+      if (fault == WorkFault::kTwice) left_.push_back(range);
       return {.there = elsewhere_(range)};
     }
     return {};
@@ -53,7 +53,7 @@ class ShuffledWork : public SharedWork<Done> {
   }
 
  private:
-  Fault fault_;
+  WorkFault fault_;
   const std::function<Done(const WorkRange&)> elsewhere_;
   std::mt19937_64 random_;
   std::mutex mutex_;
@@ -63,7 +63,7 @@ class ShuffledWork : public SharedWork<Done> {
 // Crews of such work.
 class ShuffledCrew3 : public PairCrew3 {
  public:
-  explicit ShuffledCrew3(std::uint64_t seed, Fault fault = Fault::kNone) : seed_(seed), fault_(fault) {}
+  explicit ShuffledCrew3(std::uint64_t seed, WorkFault fault = WorkFault::kNone) : seed_(seed), fault_(fault) {}
   std::unique_ptr<PairWork3> begin(const PairJob3& job) override {
     ++sums_;
     return std::make_unique<ShuffledWork<DoneTasks3>>(job.tasks.count, seed_, fault_, elsewhere(job));
@@ -78,13 +78,13 @@ class ShuffledCrew3 : public PairCrew3 {
 
  private:
   std::uint64_t seed_;
-  Fault fault_;
+  WorkFault fault_;
   int sums_ = 0;
 };
 
 class ShuffledCrew2 : public SweepCrew2 {
  public:
-  explicit ShuffledCrew2(std::uint64_t seed, Fault fault = Fault::kNone) : seed_(seed), fault_(fault) {}
+  explicit ShuffledCrew2(std::uint64_t seed, WorkFault fault = WorkFault::kNone) : seed_(seed), fault_(fault) {}
   std::unique_ptr<SweepWork2> begin(const SweepJob2& job) override {
     ++sweeps_;
     return std::make_unique<ShuffledWork<SweptPart2>>(job.order.size(), seed_, fault_, elsewhere(job));
@@ -100,7 +100,7 @@ class ShuffledCrew2 : public SweepCrew2 {
 
  private:
   std::uint64_t seed_;
-  Fault fault_;
+  WorkFault fault_;
   int sweeps_ = 0;
 };
 

@@ -46,7 +46,7 @@ TEST(SweepCrew2, WhoeverTakesPartTheMatrixAndItsCountsAreTheSame) {
 // sum_terms (5)
 TEST(SweepCrew2, WhatIsLostOrComesTwiceIsNoticed) {
   const PreparedScene2 prepared = prepare(generated("clutter", 200, 3));
-  for (const Fault fault : {Fault::kLost, Fault::kTwice})
+  for (const WorkFault fault : {WorkFault::kLost, WorkFault::kTwice})
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       ShuffledCrew2 crew(seed, fault);
       const CrewScope<SweepCrew2> scope(crew);

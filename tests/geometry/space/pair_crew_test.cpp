@@ -74,7 +74,7 @@ TEST(PairCrew3, WhoeverTakesPartRefusalsOfPairsThatAreOpenAreTheSame) {
 // sum_pairs (7)
 TEST(PairCrew3, WhatIsLostOrComesTwiceIsNoticed) {
   const PreparedScene3 prepared = prepared_scene("space/two_boxes.json", 1);
-  for (const Fault fault : {Fault::kLost, Fault::kTwice})
+  for (const WorkFault fault : {WorkFault::kLost, WorkFault::kTwice})
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       ShuffledCrew3 crew(seed, fault);
       const CrewScope<PairCrew3> scope(crew);

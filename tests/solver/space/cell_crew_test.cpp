@@ -36,7 +36,7 @@ TEST(CellCrew3, WhoeverTakesPartTheLightIsTheSame) {
 TEST(CellCrew3, WhatIsLostOrComesTwiceIsNoticed) {
   const LitGrid3 lit = lit_grids_3().front();
   const Simulation3 simulation = simulation_of(lit, kScenes);
-  for (const Fault fault : {Fault::kLost, Fault::kTwice})
+  for (const WorkFault fault : {WorkFault::kLost, WorkFault::kTwice})
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       ShuffledCells3 crew(seed, fault);
       const CrewScope<CellCrew3> scope(crew);
