@@ -40,12 +40,9 @@ class HelperSweepJob2 : public HelperJob {
 }  // namespace
 
 std::unique_ptr<SweepWork2> LedSweepCrew2::begin(const SweepJob2& job) {
-  // Sums of more vertices at a time are fewer for each, as terms of neighbours add up; sums of some thousands of
-  // vertices are some tens of megabytes.
-  constexpr std::size_t kLeastAtATime = 64, kMostAtATime = 4096;
   auto work = leader_.begin([&] {
     return Job{.bytes = mark_ + sweep_job_message_2(job),
-               .tasks = {.count = job.order.size(), .least = kLeastAtATime, .most = kMostAtATime},
+               .tasks = sweep_sizes(job.order.size()),
                .telling = [order = job.order](const WorkRange& tasks) {
                  return vertices_message_2(order.subspan(tasks.begin, tasks.size()));
                }};

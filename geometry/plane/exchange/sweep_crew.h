@@ -1,6 +1,7 @@
 // Other processes that sweep vertices of a scene in the plane together with this one.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "geometry/element.h"
@@ -23,6 +24,10 @@ using SweepWork2 = SharedWork<SweptPart2>;
 
 // Who takes part in sweeps. What they find must be what swept_part() finds: the same sums and counts.
 using SweepCrew2 = WorkCrew<SweepJob2, SweptPart2>;
+
+// How the vertices of a sweep are dealt out. Sums of more of them at a time are fewer for each, as terms of neighbours
+// add up; those of some thousands are some tens of megabytes.
+inline WorkSizes sweep_sizes(std::size_t vertices) { return {.count = vertices, .least = 64, .most = 4096}; }
 
 // Returns what the sweeps about some vertices, those of these places, add up to. COST: as sum_pairs_about.
 SweptPart2 swept_part(const WorkRange& places, std::span<const VertexId> vertices, const Arrangement2& arrangement,
