@@ -1,22 +1,21 @@
-// The program `hottel-mpi`: the same as `hottel`, whose view factors, radiosities and grids in space several processes
-// compute.
+// The program `hottel-mpi`: the same as `hottel`, whose view factors, radiosities and grids several processes compute.
 #include <algorithm>
 #include <memory>
 
 #include "cli/command.h"
 #include "kernel/support/parallel.h"
+#include "parallel/cell_crew.h"
 #include "parallel/channel.h"
 #include "parallel/helper.h"
 #include "parallel/leader.h"
 #include "parallel/plane/sweep_crew.h"
 #include "parallel/row_crew.h"
-#include "parallel/space/cell_crew.h"
 #include "parallel/space/pair_crew.h"
 
 namespace hottel {
 namespace {
 
-constexpr char kPlane = '2', kSpace = '3', kRows = 'r', kCells = 'c';
+constexpr char kPlane = '2', kSpace = '3', kRows = 'r', kCells2 = 'd', kCells3 = 'c';
 
 // Jobs of all kinds.
 class AllJobs : public HelperJobs {
@@ -25,15 +24,18 @@ class AllJobs : public HelperJobs {
     HelperJobs* jobs = &rows_;
     if (bytes.front() == kPlane) jobs = &plane_;
     if (bytes.front() == kSpace) jobs = &space_;
-    if (bytes.front() == kCells) jobs = &cells_;
+    if (bytes.front() == kCells2) jobs = &cells_2_;
+    if (bytes.front() == kCells3) jobs = &cells_3_;
     return jobs->make(bytes.substr(1));
   }
 
  private:
-  KeptScene3 kept_;
-  SweepJobs2 plane_;
-  PairJobs3 space_{kept_};
-  CellJobs3 cells_{kept_};
+  KeptScene2 kept_2_;
+  KeptScene3 kept_3_;
+  SweepJobs2 plane_{kept_2_};
+  PairJobs3 space_{kept_3_};
+  CellJobs2 cells_2_{kept_2_};
+  CellJobs3 cells_3_{kept_3_};
   RowJobs rows_;
 };
 
@@ -41,13 +43,15 @@ int lead(Channel& channel, int argc, const char* const* argv) {
   Leader leader(channel);
   LedSweepCrew2 plane(leader, kPlane);
   LedPairCrew3 space(leader, kSpace);
-  LedCellCrew3 cells(leader, kCells);
+  LedCellCrew2 cells_2(leader, kCells2);
+  LedCellCrew3 cells_3(leader, kCells3);
   LedRowCrew rows(leader, kRows);
   int code = 0;
   {
     const CrewScope<SweepCrew2> in_the_plane(plane);
     const CrewScope<PairCrew3> in_space(space);
-    const CrewScope<CellCrew3> of_grids(cells);
+    const CrewScope<CellCrew2> of_grids_in_the_plane(cells_2);
+    const CrewScope<CellCrew3> of_grids_in_space(cells_3);
     const CrewScope<RowCrew> of_systems(rows);
     Commands commands;
     add_all_commands(commands);

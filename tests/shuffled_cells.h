@@ -1,28 +1,31 @@
-// Crews that light grids in space as others might (shuffled_work.h).
+// Crews that light grids as others might (shuffled_work.h).
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <memory>
 
+#include "solver/plane/light/cell_crew.h"
 #include "solver/space/light/cell_crew.h"
 #include "tests/shuffled_work.h"
 
 namespace hottel {
 
-class ShuffledCells3 : public CellCrew3 {
+// Light: LightOfElements2 or LightOfElements3.
+template <class Job, class Light>
+class ShuffledCells : public WorkCrew<Job, LitCells> {
  public:
-  explicit ShuffledCells3(std::uint64_t seed, WorkFault fault = WorkFault::kNone) : seed_(seed), fault_(fault) {}
-  std::unique_ptr<CellWork3> begin(const CellJob3& job) override {
+  explicit ShuffledCells(std::uint64_t seed, WorkFault fault = WorkFault::kNone) : seed_(seed), fault_(fault) {}
+  std::unique_ptr<SharedWork<LitCells>> begin(const Job& job) override {
     ++grids_;
-    return std::make_unique<ShuffledWork<LitCells3>>(job.tasks.count, seed_, fault_, elsewhere(job));
+    return std::make_unique<ShuffledWork<LitCells>>(job.tasks.count, seed_, fault_, elsewhere(job));
   }
   int grids() const { return grids_; }
 
  protected:
-  virtual std::function<LitCells3(const WorkRange&)> elsewhere(const CellJob3& job) {
-    const auto light = std::make_shared<LightOfElements3>(job.prepared, job.granularity, job.solution, job.grid);
-    return [light](const WorkRange& cells) { return light->means(cells); };
+  virtual std::function<LitCells(const WorkRange&)> elsewhere(const Job& job) {
+    const auto light = std::make_shared<Light>(job.prepared, job.granularity, job.solution, job.grid);
+    return [light](const WorkRange& tasks) { return light->lit(tasks); };
   }
 
  private:
@@ -30,5 +33,7 @@ class ShuffledCells3 : public CellCrew3 {
   WorkFault fault_;
   int grids_ = 0;
 };
+using ShuffledCells2 = ShuffledCells<CellJob2, LightOfElements2>;
+using ShuffledCells3 = ShuffledCells<CellJob3, LightOfElements3>;
 
 }  // namespace hottel

@@ -27,7 +27,7 @@ class LedSweepWork2 : public SweepWork2 {
 
 class HelperSweepJob2 : public HelperJob {
  public:
-  HelperSweepJob2(std::string_view bytes, ReceivedSweepJob2::Kept& kept) : job_(bytes, kept) {}
+  HelperSweepJob2(std::string_view bytes, KeptScene2& kept) : job_(bytes, kept) {}
 
   std::string work(const WorkRange& tasks, std::string_view told) override {
     return part_message_2(swept_part(tasks, read_vertices_2(told), job_.prepared->arrangement, *job_.table));

@@ -26,10 +26,12 @@ class LedSweepCrew2 : public SweepCrew2 {
 // On the others: makes jobs of what begin() sent, without the mark.
 class SweepJobs2 : public HelperJobs {
  public:
+  // REQUIRES that what is kept outlives it.
+  explicit SweepJobs2(KeptScene2& kept) : kept_(kept) {}
   std::unique_ptr<HelperJob> make(std::string_view bytes) override;
 
  private:
-  ReceivedSweepJob2::Kept kept_;
+  KeptScene2& kept_;
 };
 
 }  // namespace hottel

@@ -10,48 +10,20 @@
 #include "solver/plane/simulation/cached_sweep.h"
 
 namespace hottel {
-namespace {
-
-// What shows that two processes have the same elements: their lengths to the last bit.
-void put_lengths(const PreparedScene2& prepared, const ElementTable2& table, MessageWriter& writer) {
-  const Arrangement2& arrangement = prepared.arrangement;
-  writer.put(table.count(), std::uint64_t{arrangement.vertices().size()}, std::uint64_t{arrangement.pieces().size()});
-  for (std::uint32_t label = 0; label < table.count(); ++label) {
-    const auto value = static_cast<UInt128>(table.length(label).value);
-    writer.put(static_cast<std::uint64_t>(value), static_cast<std::uint64_t>(value >> 64));
-  }
-}
-
-PreparedScene2 prepared_scene(MessageReader& reader) {
-  const auto divided = reader.take<Divided2>();
-  return prepare(std::get<Scene2>(take_scene(reader)), divided);
-}
-
-}  // namespace
-
 std::string sweep_job_message_2(const SweepJob2& job) {
-  MessageWriter scene, writer, lengths;
-  scene.put(is_cut(job.prepared.division) ? Divided2::kYes : Divided2::kNo);
-  put_scene(job.prepared.scene, scene);
-  put_lengths(job.prepared, job.table, lengths);
-  writer.put_text(scene.bytes());
-  writer.put(job.granularity);
-  writer.put_text(lengths.bytes());
+  MessageWriter writer;
+  put_elements_2(job.prepared, job.granularity, job.table, writer);
   for (std::uint32_t label = 0; label < job.table.count(); ++label) writer.put(job.table.has_row(label));
   return writer.bytes();
 }
 
-ReceivedSweepJob2::ReceivedSweepJob2(std::string_view bytes, Kept& kept) {
+ReceivedSweepJob2::ReceivedSweepJob2(std::string_view bytes, KeptScene2& kept) {
   MessageReader reader(bytes);
-  prepared = kept.prepared(reader.take_text(), prepared_scene);
-  table = prepared->elements(reader.take<Granularity>());
-  MessageWriter lengths;
-  put_lengths(*prepared, *table, lengths);
-  if (lengths.bytes() != reader.take_text())
-    throw RequestError("it makes other elements of the scene: all ranks must run the same program and libraries");
-  std::vector<bool> is_chosen(table->count());
-  for (std::uint32_t label = 0; label < table->count(); ++label) is_chosen[label] = reader.take<bool>();
-  ElementTable2 chosen = *table;
+  const ReceivedElements2 elements = take_elements_2(reader, kept);
+  prepared = elements.prepared;
+  ElementTable2 chosen = *elements.table;
+  std::vector<bool> is_chosen(chosen.count());
+  for (std::uint32_t label = 0; label < chosen.count(); ++label) is_chosen[label] = reader.take<bool>();
   chosen.keep_rows(is_chosen);
   table = std::make_shared<const ElementTable2>(std::move(chosen));
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/plane/exchange/sweep_crew.h"
-#include "parallel/scene_message.h"
+#include "parallel/plane/element_messages.h"
 
 namespace hottel {
 
@@ -17,13 +17,11 @@ std::string sweep_job_message_2(const SweepJob2& job);
 
 // A job that was read.
 struct ReceivedSweepJob2 {
-  using Kept = KeptScene<PreparedScene2>;
-
   std::shared_ptr<const PreparedScene2> prepared;
   std::shared_ptr<const ElementTable2> table;  // with the rows of the job
 
   // Throws RequestError where this process makes other elements of the scene than the one that wrote it.
-  ReceivedSweepJob2(std::string_view bytes, Kept& kept);
+  ReceivedSweepJob2(std::string_view bytes, KeptScene2& kept);
 };
 
 // Vertices in bytes and back.

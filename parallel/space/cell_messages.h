@@ -25,8 +25,4 @@ struct ReceivedCellJob3 {
   ReceivedCellJob3& operator=(const ReceivedCellJob3&) = delete;
 };
 
-// The light of some cells, in bytes and back, bit for bit.
-std::string lit_message_3(const LitCells3& lit);
-LitCells3 read_lit_3(std::string_view bytes);
-
 }  // namespace hottel

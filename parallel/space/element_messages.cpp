@@ -20,10 +20,11 @@ PreparedScene3 prepared_scene(MessageReader& reader) { return prepare(std::get<S
 
 }  // namespace
 
-void put_elements_3(const PreparedScene3& prepared, Granularity granularity, MessageWriter& writer) {
+void put_elements_3(const PreparedScene3& prepared, Granularity granularity, const ElementTable3& table,
+                    MessageWriter& writer) {
   MessageWriter scene, extents;
   put_scene(prepared.scene, scene);
-  put_extents(*prepared.elements(granularity), extents);
+  put_extents(table, extents);
   writer.put_text(scene.bytes());
   writer.put(granularity);
   writer.put_text(extents.bytes());

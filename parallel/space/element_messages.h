@@ -12,8 +12,10 @@ namespace hottel {
 
 using KeptScene3 = KeptScene<PreparedScene3>;
 
-// Writes what elements come from, and what shows that another process has the same ones.
-void put_elements_3(const PreparedScene3& prepared, Granularity granularity, MessageWriter& writer);
+// Writes what elements come from, and what shows that another process has the same ones. table: that of the scene by
+// this granularity.
+void put_elements_3(const PreparedScene3& prepared, Granularity granularity, const ElementTable3& table,
+                    MessageWriter& writer);
 
 struct ReceivedElements3 {
   std::shared_ptr<const PreparedScene3> prepared;  // without lights and grids

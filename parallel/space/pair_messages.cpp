@@ -79,7 +79,7 @@ void for_each_count(Report& counts, const Visit& visit) {
 std::string pair_job_message_3(const PairJob3& job) {
   const PairSumRequest3& request = job.request;
   MessageWriter writer;
-  put_elements_3(job.prepared, job.granularity, writer);
+  put_elements_3(job.prepared, job.granularity, job.table, writer);
   writer.put(request.tolerance, request.proves, request.wants_visibility, request.turn != nullptr);
   if (request.turn == nullptr) return writer.bytes();
   const PairTurn3& turn = *request.turn;

@@ -13,11 +13,12 @@
 #include "geometry/unmeasured_pairs.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "parallel/cell_crew.h"
 #include "parallel/message.h"
 #include "parallel/plane/sweep_messages.h"
 #include "parallel/scene_message.h"
-#include "parallel/space/cell_messages.h"
 #include "parallel/space/pair_messages.h"
+#include "solver/plane/light/illumination_grid.h"
 #include "solver/space/light/illumination_grid.h"
 #include "tests/lit_grids.h"
 #include "tests/same_matrix.h"
@@ -67,22 +68,27 @@ class CrewThroughBytes2 : public ShuffledCrew2 {
   }
 
  private:
-  ReceivedSweepJob2::Kept kept_;
+  KeptScene2 kept_;
 };
 
-class CellsThroughBytes3 : public ShuffledCells3 {
+template <class Shuffled, class CellJob, class Received, class Kept, std::string (*message)(const CellJob&)>
+class CellsThroughBytes : public Shuffled {
  public:
-  using ShuffledCells3::ShuffledCells3;
+  using Shuffled::Shuffled;
 
  protected:
-  std::function<LitCells3(const WorkRange&)> elsewhere(const CellJob3& job) override {
-    const auto other = std::make_shared<ReceivedCellJob3>(cell_job_message_3(job), kept_);
-    return [other](const WorkRange& cells) { return read_lit_3(lit_message_3(other->light->means(cells))); };
+  std::function<LitCells(const WorkRange&)> elsewhere(const CellJob& job) override {
+    const auto other = std::make_shared<Received>(message(job), kept_);
+    return [other](const WorkRange& tasks) { return read_lit(lit_message(other->light->lit(tasks))); };
   }
 
  private:
-  KeptScene3 kept_;
+  Kept kept_;
 };
+using CellsThroughBytes2 =
+    CellsThroughBytes<ShuffledCells2, CellJob2, ReceivedCellJob2, KeptScene2, cell_job_message_2>;
+using CellsThroughBytes3 =
+    CellsThroughBytes<ShuffledCells3, CellJob3, ReceivedCellJob3, KeptScene3, cell_job_message_3>;
 
 PreparedScene3 in_space(const std::string& name, std::uint32_t parts) {
   Scene3 scene = read_scene_3(kScenes + name);
@@ -172,18 +178,22 @@ TEST(Messages, CarrySweepsInThePlaneBitForBit) {
   }
 }
 
-TEST(Messages, CarryTheLightOfGridsInSpaceBitForBit) {
-  for (const LitGrid3& lit : lit_grids_3()) {
-    const Simulation3 simulation = simulation_of(lit, kScenes);
-    const auto light = [&] {
-      return illuminate_points(*simulation.prepared(), lit.granularity, *simulation.radiosities(), lit.grid).values;
-    };
-    const std::vector<double> expected = light();
-    CellsThroughBytes3 crew(9);
-    const CrewScope<CellCrew3> scope(crew);
-    EXPECT_EQ(bits_of(light()), bits_of(expected)) << lit.scene;
-    EXPECT_EQ(crew.grids(), 1);
-  }
+template <class Crew, class Scope, class Lit>
+void expect_same_light_through_bytes(const Lit& lit) {
+  const auto simulation = simulation_of(lit, kScenes);
+  const auto light = [&] {
+    return illuminate_points(*simulation.prepared(), lit.granularity, *simulation.radiosities(), lit.grid).values;
+  };
+  const std::vector<double> expected = light();
+  Crew crew(9);
+  const CrewScope<Scope> scope(crew);
+  EXPECT_EQ(bits_of(light()), bits_of(expected)) << lit.scene;
+  EXPECT_EQ(crew.grids(), 1);
+}
+
+TEST(Messages, CarryTheLightOfGridsBitForBit) {
+  for (const LitGrid2& lit : lit_grids_2()) expect_same_light_through_bytes<CellsThroughBytes2, CellCrew2>(lit);
+  for (const LitGrid3& lit : lit_grids_3()) expect_same_light_through_bytes<CellsThroughBytes3, CellCrew3>(lit);
 }
 
 TEST(Messages, CarryScenesWithTheTreesBelowTheirElements) {
@@ -209,11 +219,11 @@ TEST(Messages, OfOtherElementsAreRefused) {
 }
 
 TEST(Messages, OfLightThatBreakOffAreRefused) {
-  const std::string bytes = lit_message_3({{2, 4}, {1, 2, 3, 4, 5, 6}});
-  EXPECT_EQ(read_lit_3(bytes).values.size(), 6u);
+  const std::string bytes = lit_message({{2, 4}, {1, 2, 3, 4, 5, 6}});
+  EXPECT_EQ(read_lit(bytes).values.size(), 6u);
   for (const std::size_t size : {std::size_t{0}, std::size_t{7}, bytes.size() / 2, bytes.size() - 1})
-    EXPECT_THROW(read_lit_3(std::string_view(bytes).substr(0, size)), ContractViolation);
-  EXPECT_THROW(read_lit_3(bytes + "x"), ContractViolation);
+    EXPECT_THROW(read_lit(std::string_view(bytes).substr(0, size)), ContractViolation);
+  EXPECT_THROW(read_lit(bytes + "x"), ContractViolation);
 }
 
 TEST(Messages, ThatBreakOffAreRefused) {

@@ -122,6 +122,7 @@ TEST(Ranks, GiveTheLightOfOneProcess) {
     {"name": "plan", "origin": [-2, -2, 1], "u": [8, 0, 0], "v": [0, 8, 0], "cells": [20, 16]},
     {"name": "air", "origin": [0, 0, 0.5], "u": [4, 0, 0], "v": [0, 4, 0], "w": [0, 0, 2], "cells": [6, 5, 4]}])");
   place.write("stage.json", scene);
+  expect_same_on({1, 2, 3, 5}, "solve " + kScenes + "showcase/apartment.json --grid 300x220 -o out");
   expect_same_on({1, 2, 3, 5}, "solve " + place.path("stage.json").string() + " --tolerance 1e-4 -o out");
   expect_same_on({3}, "solve " + place.path("stage.json").string() + " --tolerance 1e-4 --illumination average -o out");
 }

@@ -6,6 +6,7 @@
 #include "geometry/plane/scene/bounding_box.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
+#include "solver/plane/light/cell_crew.h"
 #include "solver/plane/light/cell_views.h"
 
 namespace hottel {
@@ -63,6 +64,41 @@ std::vector<IlluminationGrid2> illuminate_points(const PreparedScene2& prepared,
 IlluminationGrid2 illuminate_points(const PreparedScene2& prepared, const Grid2& grid, const ElementTable2& table,
                                     const SentOut2& sent_out, const std::function<void(double)>& progress) {
   return std::move(illuminate_points(prepared, grid, table, std::span(&sent_out, 1), progress).front());
+}
+
+IlluminationGrid2 illuminate_points(const PreparedScene2& prepared, Granularity granularity,
+                                    const RadiositySolution& solution, const Grid2& grid,
+                                    const std::function<void(double)>& progress) {
+  const LightOfElements2 elements(prepared, granularity, solution, grid);
+  IlluminationGrid2 result = empty_grid(grid, static_cast<std::uint32_t>(solution.channels.size()));
+  const auto values_of = [&](const WorkRange& bands) {
+    const std::size_t first = elements.first_cell(bands.begin), end = elements.first_cell(bands.end);
+    return std::span(result.values).subspan(first * result.channels, (end - first) * result.channels);
+  };
+  const auto work = begin_shared<LitCells>(CellJob2{prepared, granularity, solution, grid, {elements.bands()}});
+  WorkCount done;
+  std::size_t count = 0;
+  try {  // one turn after another: a band is lit by all threads
+    for (auto turn = work->next(); !turn.is_over(); turn = work->next()) {
+      const WorkRange& bands = turn.there ? turn.there->tasks : turn.here;
+      HOTTEL_REQUIRE(bands.end <= elements.bands());
+      const std::span<double> values = values_of(bands);
+      if (turn.there) {
+        HOTTEL_REQUIRE(turn.there->values.size() == values.size());
+        std::ranges::copy(turn.there->values, values.begin());
+      } else {
+        elements.light(bands, values);
+      }
+      done.add(bands);
+      count += bands.size();
+      if (progress) progress(static_cast<double>(count) / static_cast<double>(elements.bands()));
+    }
+  } catch (...) {
+    work->stop();
+    throw;
+  }
+  HOTTEL_REQUIRE(done.has_each_once(elements.bands()));
+  return result;
 }
 
 IlluminationGrid2 illuminate_points(const LightRows2& rows, const Grid2& grid, const SentOut2& sent_out) {

@@ -31,6 +31,12 @@ std::vector<IlluminationGrid2> illuminate_points(const PreparedScene2& prepared,
 IlluminationGrid2 illuminate_points(const PreparedScene2& prepared, const Grid2& grid, const ElementTable2& table,
                                     const SentOut2& sent_out, const std::function<void(double)>& progress = {});
 
+// The same for a solution of a matrix of the scene by that granularity. Others may take part (cell_crew.h): the same
+// bits.
+IlluminationGrid2 illuminate_points(const PreparedScene2& prepared, Granularity granularity,
+                                    const RadiositySolution& solution, const Grid2& grid,
+                                    const std::function<void(double)>& progress = {});
+
 // The same from rows that were kept of this grid, without a look; the same bits. Throws ContractViolation unless there
 // is a row for each cell.
 IlluminationGrid2 illuminate_points(const LightRows2& rows, const Grid2& grid, const SentOut2& sent_out);

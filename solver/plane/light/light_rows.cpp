@@ -15,18 +15,6 @@ namespace {
 
 constexpr std::uint64_t kEntryBytes = sizeof(std::uint32_t) + sizeof(double);
 
-// Looks around from a band of cells, and passes rows on.
-void look_for_rows(const CellViews2& views, std::size_t band, const LightColumns2& columns, Blacks2 blacks,
-                   const LightRowVisit2& visit) {
-  views.look_around(band, [&](const CellTile2& tile) {
-    thread_local LightRowFinder2 finder;  // its memory serves many tiles
-    finder.begin(views.vertices(), columns, blacks);
-    for (std::size_t k = 0; k < tile.size(); ++k) finder.add(tile.eye(k), tile.location(k), tile.view(k));
-    finder.measure();
-    for (std::size_t k = 0; k < tile.size(); ++k) visit(tile.cell(k), finder.row(k));
-  });
-}
-
 // Counts the bytes of rows while they are found.
 class Room {
  public:
@@ -60,21 +48,35 @@ class Room {
   std::atomic<std::uint64_t> taken_{0}, cells_{0};
 };
 
-void require_doubles(const Grid2& grid) {
+// Checks the grid, and returns it.
+const Grid2& in_doubles(const Grid2& grid) {
   for (const Rational& x : {grid.min.x, grid.min.y, grid.max.x, grid.max.y})
     if (!std::isfinite(to_double(x))) throw RequestError("the grid reaches beyond the range of doubles");
+  return grid;
 }
 
 }  // namespace
 
+LightRowBands2::LightRowBands2(const PreparedScene2& prepared, const Grid2& grid, const ElementTable2& table,
+                               Blacks2 blacks)
+    : columns_(prepared.arrangement, table), views_(prepared, in_doubles(grid)), blacks_(blacks) {}
+
+void LightRowBands2::find(std::size_t band, const LightRowVisit2& visit) const {
+  views_.look_around(band, [&](const CellTile2& tile) {
+    thread_local LightRowFinder2 finder;  // its memory serves many tiles
+    finder.begin(views_.vertices(), columns_, blacks_);
+    for (std::size_t k = 0; k < tile.size(); ++k) finder.add(tile.eye(k), tile.location(k), tile.view(k));
+    finder.measure();
+    for (std::size_t k = 0; k < tile.size(); ++k) visit(tile.cell(k), finder.row(k));
+  });
+}
+
 void for_each_light_row(const PreparedScene2& prepared, const Grid2& grid, const ElementTable2& table, Blacks2 blacks,
                         const std::function<void(double)>& progress, const LightRowVisit2& visit) {
-  require_doubles(grid);
-  const LightColumns2 columns(prepared.arrangement, table);
-  const CellViews2 views(prepared, grid);
-  for (std::size_t band = 0; band < views.bands(); ++band) {
-    look_for_rows(views, band, columns, blacks, visit);
-    if (progress) progress(static_cast<double>(band + 1) / static_cast<double>(views.bands()));
+  const LightRowBands2 rows(prepared, grid, table, blacks);
+  for (std::size_t band = 0; band < rows.bands(); ++band) {
+    rows.find(band, visit);
+    if (progress) progress(static_cast<double>(band + 1) / static_cast<double>(rows.bands()));
   }
 }
 
@@ -110,15 +112,14 @@ namespace {
 template <class Visit>
 void for_each_band(const PreparedScene2& prepared, const Grid2& grid, const ElementTable2& table, Blacks2 blacks,
                    std::uint64_t memory, const std::function<void(double)>& progress, const Visit& visit) {
-  const LightColumns2 columns(prepared.arrangement, table);
-  const CellViews2 views(prepared, grid);
+  const LightRowBands2 bands(prepared, grid, table, blacks);
   Room room(grid, memory);
   std::uint64_t kept = 0;
-  for (std::size_t band = 0; band < views.bands(); ++band) {
-    const std::size_t first = views.first_cell(band);
-    std::vector<LightRowBlock2::Row> rows(views.first_cell(band + 1) - first);
+  for (std::size_t band = 0; band < bands.bands(); ++band) {
+    const std::size_t first = bands.first_cell(band);
+    std::vector<LightRowBlock2::Row> rows(bands.first_cell(band + 1) - first);
     room.begin_band(first, kept);
-    look_for_rows(views, band, columns, blacks, [&](std::size_t cell, const LightRow2& row) {
+    bands.find(band, [&](std::size_t cell, const LightRow2& row) {
       room.add(row.columns.size());
       rows[cell - first] = {{row.columns.begin(), row.columns.end()},
                             {row.fractions.begin(), row.fractions.end()},
@@ -129,7 +130,7 @@ void for_each_band(const PreparedScene2& prepared, const Grid2& grid, const Elem
     rows.clear();
     rows.shrink_to_fit();
     kept = visit(first, std::move(block));
-    if (progress) progress(static_cast<double>(band + 1) / static_cast<double>(views.bands()));
+    if (progress) progress(static_cast<double>(band + 1) / static_cast<double>(bands.bands()));
   }
 }
 

@@ -8,17 +8,42 @@
 #include <vector>
 
 #include "geometry/plane/prepared/prepared_scene.h"
+#include "solver/plane/light/cell_views.h"
 #include "solver/plane/light/light_row.h"
 
 namespace hottel {
 
 // Calls visit(cell, row) once for each cell, number iy * nx + ix, with what its exact centre sees; from many threads at
 // once, in any order. The row holds during the call.
+using LightRowVisit2 = std::function<void(std::size_t, const LightRow2&)>;
+
+// The rows of a grid, to be found band by band (CellViews2).
+//
+//   (1) a row depends on the cell's centre and the scene alone: not on the other cells, the threads, or on radiosities
+// REQUIRES that scene and table outlive it, at least one cell, min < max; the table of the scene.
+class LightRowBands2 {
+ public:
+  // Throws RequestError where the grid reaches beyond the range of doubles.
+  LightRowBands2(const PreparedScene2& prepared, const Grid2& grid, const ElementTable2& table, Blacks2 blacks);
+  LightRowBands2(const LightRowBands2&) = delete;
+  LightRowBands2& operator=(const LightRowBands2&) = delete;
+
+  std::size_t bands() const { return views_.bands(); }
+  std::size_t first_cell(std::size_t band) const { return views_.first_cell(band); }
+  // Those of one band. Throws Interrupted when asked to stop.
+  void find(std::size_t band, const LightRowVisit2& visit) const;
+
+ private:
+  LightColumns2 columns_;
+  CellViews2 views_;
+  Blacks2 blacks_;
+};
+
+// All of them, band by band.
 //
 //   (1) a row depends on the cell's centre and the scene alone: not on the other cells, the threads, or on radiosities
 // progress: fraction done, called by the calling thread; may throw to stop. Throws Interrupted when asked to stop.
 // REQUIRES at least one cell, min < max; the table of the scene.
-using LightRowVisit2 = std::function<void(std::size_t, const LightRow2&)>;
 void for_each_light_row(const PreparedScene2& prepared, const Grid2& grid, const ElementTable2& table, Blacks2 blacks,
                         const std::function<void(double)>& progress, const LightRowVisit2& visit);
 

@@ -32,16 +32,14 @@ SolvedLight2 illuminate(LightKind2 kind, const PreparedScene2& prepared, const G
   if (kind != LightKind2::kPoint && !prepared.scene.lights.empty())
     throw RequestError(std::string("light by \"") + to_string(kind) +
                        "\" does not know the scene's lights; \"point\" does");
+  if (kind == LightKind2::kPoint)
+    return {with_lights(prepared, illuminate_points(prepared, granularity, solution, grid, progress))};
   const auto channels = static_cast<std::uint32_t>(solution.channels.size());
   const std::vector<double> by_element = radiosity_by_element_2(solution);
   std::vector<double> sky = sky_by_channel_2(prepared.scene.sky_emission, channels);
   const ElementTable2& table = *prepared.elements(granularity);
   if (kind == LightKind2::kInverseSquare)
     return {illuminate_inverse_square(prepared, grid, table, by_element, channels, progress)};
-  if (kind == LightKind2::kPoint)
-    return {with_lights(
-        prepared,
-        illuminate_points(prepared, grid, table, SentOut2(table, by_element, sky, prepared.scene.closed), progress))};
   // From where there is light nobody sees the sky then; but what lies outside is in the cells too.
   if (!FreeParts2(prepared).has_outside()) std::ranges::fill(sky, 0.0);
   const FaceRadiosity2 faces(prepared.arrangement, table, by_element, sky);

@@ -19,9 +19,9 @@ void LightOfElements3::mean(std::size_t cell, std::span<double> result) const {
   if (!prepared_.arrangement().solids().around(centre)) sent_out_.mean(centre, result);
 }
 
-LitCells3 LightOfElements3::means(const WorkRange& cells) const {
+LitCells LightOfElements3::lit(const WorkRange& cells) const {
   HOTTEL_REQUIRE(cells.begin <= cells.end && cells.end <= grid_.cells());
-  LitCells3 lit{cells, std::vector<double>(cells.size() * channels_, std::numeric_limits<double>::quiet_NaN())};
+  LitCells lit{cells, std::vector<double>(cells.size() * channels_, std::numeric_limits<double>::quiet_NaN())};
   parallel_for(cells.size(),
                [&](std::size_t k) { mean(cells.begin + k, std::span(lit.values).subspan(k * channels_, channels_)); });
   return lit;

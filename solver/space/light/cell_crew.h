@@ -3,23 +3,15 @@
 
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include "geometry/element.h"
 #include "geometry/shared_work.h"
 #include "geometry/space/prepared/prepared_scene.h"
+#include "solver/lit_cells.h"
 #include "solver/radiosity/radiosity_solution.h"
 #include "solver/space/light/sent_out.h"
 
 namespace hottel {
-
-// What elements send to the centres of some cells, without lights.
-struct LitCells3 {
-  WorkRange tasks;             // the cells
-  std::vector<double> values;  // by cell and channel, as of IlluminationGrid3
-};
-
-using CellWork3 = SharedWork<LitCells3>;
 
 // What is shared of illuminate_points(): a task is a cell. Of the solution only radiosities count.
 struct CellJob3 {
@@ -31,7 +23,7 @@ struct CellJob3 {
 };
 
 // Who takes part in the light of grids. What they find must be what LightOfElements3 finds, bit for bit.
-using CellCrew3 = WorkCrew<CellJob3, LitCells3>;
+using CellCrew3 = WorkCrew<CellJob3, LitCells>;
 
 // What elements send to cells of a grid.
 //
@@ -45,8 +37,8 @@ class LightOfElements3 {
   // Writes the mean over all directions at the centre of a cell, by channel; leaves what is in a solid, or outside a
   // closed scene.
   void mean(std::size_t cell, std::span<double> result) const;
-  // These of some cells, NaN where nothing was written; on all threads. REQUIRES cells of the grid.
-  LitCells3 means(const WorkRange& cells) const;
+  // These of some cells, on all threads. REQUIRES cells of the grid.
+  LitCells lit(const WorkRange& cells) const;
 
  private:
   const PreparedScene3& prepared_;

@@ -20,7 +20,7 @@ IlluminationGrid3 unlit(const Grid3& grid, std::uint32_t channels) {
   return {grid, channels, std::vector<double>(grid.cells() * channels, std::numeric_limits<double>::quiet_NaN())};
 }
 
-void take(const LitCells3& lit, IlluminationGrid3& result) {
+void take(const LitCells& lit, IlluminationGrid3& result) {
   HOTTEL_REQUIRE(lit.tasks.end <= result.grid.cells() && lit.values.size() == lit.tasks.size() * result.channels);
   std::ranges::copy(lit.values, result.values.begin() + static_cast<std::ptrdiff_t>(lit.tasks.begin * result.channels));
 }
@@ -58,7 +58,7 @@ IlluminationGrid3 illuminate_points(const PreparedScene3& prepared, Granularity 
   const SceneLights3 lights(prepared);
   const CellJob3 job{prepared, granularity, solution, grid, {.count = grid.cells(), .least = 4, .most = 256}};
   ProgressCount progress_count(progress, grid.cells());
-  take_all_turns(*begin_shared<LitCells3>(job), grid.cells(), [&](const WorkTurn<LitCells3>& turn) {
+  take_all_turns(*begin_shared<LitCells>(job), grid.cells(), [&](const WorkTurn<LitCells>& turn) {
     if (turn.there) take(*turn.there, result);
     const WorkRange& cells = turn.there ? turn.there->tasks : turn.here;
     for (std::size_t cell = cells.begin; cell < cells.end; ++cell) {

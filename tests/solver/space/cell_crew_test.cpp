@@ -48,7 +48,7 @@ TEST(CellCrew3, CellsThatAreNotOfTheGridAreNoticed) {
   const LitGrid3 lit = lit_grids_3().front();
   const Simulation3 simulation = simulation_of(lit, kScenes);
   const LightOfElements3 light(*simulation.prepared(), lit.granularity, *simulation.radiosities(), lit.grid);
-  EXPECT_THROW(light.means({0, lit.grid.cells() + 1}), ContractViolation);
+  EXPECT_THROW(light.lit({0, lit.grid.cells() + 1}), ContractViolation);
 }
 
 }  // namespace
