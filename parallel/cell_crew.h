@@ -1,4 +1,4 @@
-// The light of grids, of both dimensions, among the ranks of an MPI job.
+// The light of grids among the ranks of an MPI job: what both dimensions have in common.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,6 @@
 #include "geometry/shared_work.h"
 #include "parallel/helper.h"
 #include "parallel/leader.h"
-#include "parallel/plane/cell_messages.h"
-#include "parallel/space/cell_messages.h"
 #include "solver/lit_cells.h"
 
 namespace hottel {
@@ -38,8 +36,6 @@ class LedCellCrew : public WorkCrew<CellJob, LitCells> {
   Leader& leader_;
   const char mark_;
 };
-using LedCellCrew2 = LedCellCrew<CellJob2, cell_job_message_2>;
-using LedCellCrew3 = LedCellCrew<CellJob3, cell_job_message_3>;
 
 // On the others: makes jobs of what begin() sent, without the mark.
 template <class ReceivedJob, class Kept>
@@ -61,7 +57,5 @@ class CellJobs : public HelperJobs {
 
   Kept& kept_;
 };
-using CellJobs2 = CellJobs<ReceivedCellJob2, KeptScene2>;
-using CellJobs3 = CellJobs<ReceivedCellJob3, KeptScene3>;
 
 }  // namespace hottel

@@ -4,12 +4,13 @@
 
 #include "cli/command.h"
 #include "kernel/support/parallel.h"
-#include "parallel/cell_crew.h"
 #include "parallel/channel.h"
 #include "parallel/helper.h"
 #include "parallel/leader.h"
+#include "parallel/plane/cell_crew.h"
 #include "parallel/plane/sweep_crew.h"
 #include "parallel/row_crew.h"
+#include "parallel/space/cell_crew.h"
 #include "parallel/space/pair_crew.h"
 
 namespace hottel {
