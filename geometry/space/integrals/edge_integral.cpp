@@ -27,6 +27,9 @@ inline constexpr int kFine<WideReal> = 20;
 constexpr double kSafety = 8;
 // Where rounding makes more than this part of the tolerance, no more is won than to be as good as it.
 constexpr double kMostRounding = 0.8;
+// Where rounding makes more than all that is allowed, and two rules differ by less than this part of it, no more is
+// won.
+constexpr double kMostNoise = 0.5;
 // Where the value cannot be told, so often parts are halved for the residual.
 constexpr std::uint32_t kMostWhereHopeless = 1000;
 // Where what happens is steep, parts of a stretch are not divided below this beforehand.
@@ -158,9 +161,11 @@ EdgeValues3 EdgeIntegral3<Real>::refine(double tolerance, double residual_tolera
   std::make_heap(heap.begin(), heap.end(), is_better);
   for (std::uint32_t count = 0; count < kMostBisections<Real> && !heap.empty(); ++count) {
     if (count % 64 == 0) sum_up();
-    const bool is_hopeless = rounding_ > kMostRounding * tolerance && kSafety * error_ <= rounding_;
+    const bool is_hopeless = (rounding_ > kMostRounding * tolerance && kSafety * error_ <= rounding_) ||
+                             (rounding_ > tolerance && error_ <= kMostNoise * rounding_);
     const bool is_done = kSafety * error_ + rounding_ <= 0.99 * tolerance;
-    if ((is_done || is_hopeless) && residual_error_ <= residual_tolerance) break;
+    const bool is_noise = residual_rounding_ > residual_tolerance && residual_error_ <= kMostNoise * residual_rounding_;
+    if ((is_done || is_hopeless) && (is_noise || residual_error_ <= residual_tolerance)) break;
     if (is_hopeless && count >= kMostWhereHopeless) break;
     std::pop_heap(heap.begin(), heap.end(), is_better);
     const std::uint32_t worst = heap.back().second;

@@ -381,6 +381,23 @@ TEST(PairResult3Sweep, WhatPassesCloseToAZeroAtTheEndOfASideIsSeen) {
   }
 }
 
+// The long sides of a needle all but cancel: in doubles rounding is more than is allowed, of the residual too, and two
+// rules differ by less than it. No part is halved for that.
+TEST(PairResult3Sweep, PartsOfANeedleAreNotHalvedForWhatRoundingMakes) {
+  for (const int k : {28, 34, 40}) {
+    const Pair pair({{{0, 0, 0}, {1, 0, 0}, {1, two_to_minus(k), 0}},
+                     {{0, -1, 0}, {0, 1, 0}, {0, 1, 1}, {0, -1, 1}},
+                     {{ratio(1, 4), -1, ratio(1, 8)}, {ratio(3, 4), -1, ratio(1, 4)}, {ratio(1, 2), 1, ratio(1, 3)}}});
+    PairRequest3 loose;
+    loose.tolerance = 1e-9;
+    const PairResult3 first = pair.measure(loose), result = pair.measure();
+    EXPECT_EQ(result.problem, "");
+    EXPECT_NEAR(result.measure, first.measure, result.error + first.error) << k;
+    EXPECT_LE(result.error, 1e-12 * pair.area(pair.patch(0))) << k;
+    EXPECT_LT(result.nodes, 6000u) << k << ": up to 6,800 where they are";
+  }
+}
+
 TEST(PairResult3Sweep, ADihedralClosesAroundAnOccluder) {
   // Two squares with a common edge, a small angle apart, and a needle between them that hides nothing in the limit.
   for (int k = 1; k <= 50; k += 7) {
