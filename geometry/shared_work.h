@@ -172,13 +172,14 @@ std::unique_ptr<SharedWork<Done>> begin_shared(const Job& job) {
   return std::make_unique<OwnWork<Done>>(job.tasks, static_cast<std::size_t>(threads_allowed()));
 }
 
-// Calls take(turn) for all turns of some work, on all threads at once. Throws what that throws, which ends the work,
-// and ContractViolation unless each of so many tasks came once.
+// Calls take(turn) for all turns of some work, on so many threads at once; on this one where it is one. Throws what
+// that throws, which ends the work, and ContractViolation unless each of so many tasks came once.
 template <class Done, class Take>
-void take_all_turns(SharedWork<Done>& work, std::size_t tasks, const Take& take) {
+void take_all_turns(SharedWork<Done>& work, std::size_t tasks, int threads, const Take& take) {
+  const DefaultFloatingPoint environment;
   WorkCount done;
   std::mutex together;
-  parallel_for(static_cast<std::size_t>(threads_allowed()), [&](std::size_t) {
+  const auto take_some = [&](std::size_t) {
     WorkCount mine;
     try {
       for (WorkTurn<Done> turn = work.next(); !turn.is_over(); turn = work.next()) {
@@ -191,7 +192,11 @@ void take_all_turns(SharedWork<Done>& work, std::size_t tasks, const Take& take)
     }
     const std::lock_guard lock(together);
     done.add(mine);
-  });
+  };
+  if (threads == 1)
+    take_some(0);  // which may have all threads for itself
+  else
+    parallel_for(static_cast<std::size_t>(threads), take_some);
   HOTTEL_REQUIRE(done.has_each_once(tasks));
 }
 

@@ -430,7 +430,7 @@ PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, 
     add_counts(report, counts);
   };
   try {
-    take_all_turns(*work, tasks.count(), measure_some);
+    take_all_turns(*work, tasks.count(), threads_allowed(), measure_some);
   } catch (const ContractViolation&) {
     throw;  // what was found may be counted twice
   } catch (...) {

@@ -75,29 +75,22 @@ IlluminationGrid2 illuminate_points(const PreparedScene2& prepared, Granularity 
     const std::size_t first = elements.first_cell(bands.begin), end = elements.first_cell(bands.end);
     return std::span(result.values).subspan(first * result.channels, (end - first) * result.channels);
   };
-  const auto work = begin_shared<LitCells>(CellJob2{prepared, granularity, solution, grid, {elements.bands()}});
-  WorkCount done;
-  std::size_t count = 0;
-  try {  // one turn after another: a band is lit by all threads
-    for (auto turn = work->next(); !turn.is_over(); turn = work->next()) {
-      const WorkRange& bands = turn.there ? turn.there->tasks : turn.here;
-      HOTTEL_REQUIRE(bands.end <= elements.bands());
-      const std::span<double> values = values_of(bands);
-      if (turn.there) {
-        HOTTEL_REQUIRE(turn.there->values.size() == values.size());
-        std::ranges::copy(turn.there->values, values.begin());
-      } else {
-        elements.light(bands, values);
-      }
-      done.add(bands);
-      count += bands.size();
-      if (progress) progress(static_cast<double>(count) / static_cast<double>(elements.bands()));
+  const CellJob2 job{prepared, granularity, solution, grid, {elements.bands()}};
+  std::size_t done = 0;
+  // One turn after another: a band is lit by all threads.
+  take_all_turns(*begin_shared<LitCells>(job), elements.bands(), 1, [&](const WorkTurn<LitCells>& turn) {
+    const WorkRange& bands = turn.there ? turn.there->tasks : turn.here;
+    HOTTEL_REQUIRE(bands.end <= elements.bands());
+    const std::span<double> values = values_of(bands);
+    if (turn.there) {
+      HOTTEL_REQUIRE(turn.there->values.size() == values.size());
+      std::ranges::copy(turn.there->values, values.begin());
+    } else {
+      elements.light(bands, values);
     }
-  } catch (...) {
-    work->stop();
-    throw;
-  }
-  HOTTEL_REQUIRE(done.has_each_once(elements.bands()));
+    done += bands.size();
+    if (progress) progress(static_cast<double>(done) / static_cast<double>(elements.bands()));
+  });
   return result;
 }
 

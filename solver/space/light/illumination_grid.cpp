@@ -58,7 +58,7 @@ IlluminationGrid3 illuminate_points(const PreparedScene3& prepared, Granularity 
   const SceneLights3 lights(prepared);
   const CellJob3 job{prepared, granularity, solution, grid, {.count = grid.cells(), .least = 4, .most = 256}};
   ProgressCount progress_count(progress, grid.cells());
-  take_all_turns(*begin_shared<LitCells>(job), grid.cells(), [&](const WorkTurn<LitCells>& turn) {
+  take_all_turns(*begin_shared<LitCells>(job), grid.cells(), threads_allowed(), [&](const WorkTurn<LitCells>& turn) {
     if (turn.there) take(*turn.there, result);
     const WorkRange& cells = turn.there ? turn.there->tasks : turn.here;
     for (std::size_t cell = cells.begin; cell < cells.end; ++cell) {
