@@ -12,6 +12,9 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME hottel)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+if(HOTTEL_WINDOW)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libsdl2-2.0-0 (>= 2.0.18)")  # loaded when a window opens
+endif()
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "The program, its pages and its scenes.")
 
 # Static libraries need at the end what they are made with; which packages have that, tools/setup knows too.

@@ -77,6 +77,17 @@ TEST_F(View, WithoutADisplaySaysWhatNeedsNone) {
   for (const char* option : {"--screenshot", "--script", "--record"}) EXPECT_THAT(outcome.err, HasSubstr(option));
 }
 
+TEST_F(View, WithoutSdlSaysWhatNeedsNoneAndOtherCommandsWork) {
+  place.write("libSDL2-2.0.so.0", "");
+  const std::string without = "env LD_LIBRARY_PATH=. hottel ";
+  const Outcome outcome = place.run(without + "view room.json");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.out, "");
+  for (const char* part : {"libSDL2-2.0.so.0", "libsdl2-2.0-0", "--screenshot", "--script", "--record"})
+    EXPECT_THAT(outcome.err, HasSubstr(part));
+  EXPECT_EQ(place.run(without + "view room.json --screenshot x.png").code, 0);
+}
+
 // The bytes of a new process on the saved scene.
 TEST_F(View, HashesAreThoseOfAFreshProcess) {
   const Outcome outcome = play("drag 1.5,1 1.8,0.8 ctrl\nmove 2,2.95\nkey ]\nhash\nsave moved.json\n");

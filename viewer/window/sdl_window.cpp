@@ -1,8 +1,5 @@
 #include "viewer/window/sdl_window.h"
 
-#define SDL_MAIN_HANDLED
-#include <SDL.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -14,6 +11,7 @@
 
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
+#include "viewer/window/sdl_library.h"
 
 namespace hottel {
 namespace {
@@ -56,9 +54,9 @@ int pass_by_late_wakes(void* display, XError* error) {
 // closes its connections. The library stays loaded.
 void bear_late_wakes() {
   using SetHandler = XErrorHandler (*)(XErrorHandler);
-  void* const xlib = SDL_LoadObject("libX11.so.6");
+  void* const xlib = sdl().LoadObject("libX11.so.6");
   if (xlib == nullptr) return;
-  if (const auto set = reinterpret_cast<SetHandler>(SDL_LoadFunction(xlib, "XSetErrorHandler"))) {
+  if (const auto set = reinterpret_cast<SetHandler>(sdl().LoadFunction(xlib, "XSetErrorHandler"))) {
     const XErrorHandler before = set(pass_by_late_wakes);
     if (before != pass_by_late_wakes) of_others = before;
   }
@@ -68,31 +66,31 @@ void bear_late_wakes() {
 class Video {
  public:
   Video() {
-    HOTTEL_REQUIRE(SDL_WasInit(SDL_INIT_VIDEO) == 0);
-    SDL_SetMainReady();
+    HOTTEL_REQUIRE(sdl().WasInit(SDL_INIT_VIDEO) == 0);
+    sdl().SetMainReady();
     set_hints();
     bear_late_wakes();
-    if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
-      const std::string reason = SDL_GetError();
-      SDL_Quit();
+    if (sdl().InitSubSystem(SDL_INIT_VIDEO) != 0) {
+      const std::string reason = sdl().GetError();
+      sdl().Quit();
       refuse_without_display(reason);
     }
     // These show nothing. SDL may take one when it finds no other; the user may ask for one.
-    const std::string_view driver = SDL_GetCurrentVideoDriver();
+    const std::string_view driver = sdl().GetCurrentVideoDriver();
     const char* asked = std::getenv("SDL_VIDEODRIVER");
     if ((driver == "dummy" || driver == "offscreen") && (asked == nullptr || *asked == '\0')) {
-      SDL_Quit();
+      sdl().Quit();
       refuse_without_display("No available video device");
     }
   }
-  ~Video() { SDL_Quit(); }
+  ~Video() { sdl().Quit(); }
   Video(const Video&) = delete;
   Video& operator=(const Video&) = delete;
 
  private:
   static void set_hints() {
     const auto set = [](const char* name, const char* value) {
-      SDL_SetHintWithPriority(name, value, SDL_HINT_OVERRIDE);
+      sdl().SetHintWithPriority(name, value, SDL_HINT_OVERRIDE);
     };
     set(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     set(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
@@ -100,19 +98,21 @@ class Video {
     set(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");  // the click that brings the window to the front counts
     // On X11 pixels go to the server through shared memory. By OpenGL, where that computes on the processor, a frame of
     // 1280 by 800 takes 8 ms and not 0.7, and the first after a resize is cut to the size before.
-    SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
+    sdl().SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
   }
 };
 
-template <class T, void (*Destroy)(T*)>
+template <class T, auto Destroy>
 struct Destroyer {
-  void operator()(T* object) const { Destroy(object); }
+  void operator()(T* object) const { (sdl().*Destroy)(object); }
 };
-using SdlWindow = std::unique_ptr<SDL_Window, Destroyer<SDL_Window, SDL_DestroyWindow>>;
-using Renderer = std::unique_ptr<SDL_Renderer, Destroyer<SDL_Renderer, SDL_DestroyRenderer>>;
-using Texture = std::unique_ptr<SDL_Texture, Destroyer<SDL_Texture, SDL_DestroyTexture>>;
+using SdlWindow = std::unique_ptr<SDL_Window, Destroyer<SDL_Window, &Sdl::DestroyWindow>>;
+using Renderer = std::unique_ptr<SDL_Renderer, Destroyer<SDL_Renderer, &Sdl::DestroyRenderer>>;
+using Texture = std::unique_ptr<SDL_Texture, Destroyer<SDL_Texture, &Sdl::DestroyTexture>>;
 
-[[noreturn]] void refuse(const char* what) { throw RequestError(std::string(what) + " (SDL: " + SDL_GetError() + ")"); }
+[[noreturn]] void refuse(const char* what) {
+  throw RequestError(std::string(what) + " (SDL: " + sdl().GetError() + ")");
+}
 
 // A character as UTF-8. REQUIRES: one of Unicode's.
 std::string utf8(std::uint32_t character) {
@@ -203,23 +203,23 @@ std::optional<WindowEvent> of_window(const SDL_WindowEvent& event) {
 class ScreenWindow : public Window {
  public:
   ScreenWindow(const std::string& title, FrameSize size) {
-    window_.reset(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED,
-                                   static_cast<int>(size.width), static_cast<int>(size.height),
-                                   SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI));
+    window_.reset(sdl().CreateWindow(title.c_str(), SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED,
+                                     static_cast<int>(size.width), static_cast<int>(size.height),
+                                     SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI));
     if (!window_) refuse("no window could be opened");
     std::array<Uint32, 2> ways{SDL_RENDERER_SOFTWARE, SDL_RENDERER_ACCELERATED};
-    if (SDL_GetCurrentVideoDriver() != std::string_view("x11")) std::swap(ways[0], ways[1]);
+    if (sdl().GetCurrentVideoDriver() != std::string_view("x11")) std::swap(ways[0], ways[1]);
     for (const Uint32 way : ways)
-      if (!renderer_) renderer_.reset(SDL_CreateRenderer(window_.get(), -1, way));
+      if (!renderer_) renderer_.reset(sdl().CreateRenderer(window_.get(), -1, way));
     if (!renderer_) refuse("nothing can be drawn in a window");
-    wake_type_ = SDL_RegisterEvents(1);
-    SDL_StartTextInput();
+    wake_type_ = sdl().RegisterEvents(1);
+    sdl().StartTextInput();
   }
-  ~ScreenWindow() override { SDL_StopTextInput(); }
+  ~ScreenWindow() override { sdl().StopTextInput(); }
 
   FrameSize size() const override {
     int width = 1, height = 1;
-    SDL_GetRendererOutputSize(renderer_.get(), &width, &height);
+    sdl().GetRendererOutputSize(renderer_.get(), &width, &height);
     return {static_cast<std::uint32_t>(std::max(width, 1)), static_cast<std::uint32_t>(std::max(height, 1))};
   }
 
@@ -231,7 +231,7 @@ class ScreenWindow : public Window {
       const double left = 1e3 * (seconds - std::chrono::duration<double>(Clock::now() - start).count());
       const double wait = std::clamp(std::ceil(left), 0.0, static_cast<double>(kLongestWait));
       SDL_Event event;
-      if (SDL_WaitEventTimeout(&event, static_cast<int>(wait)) == 0) {
+      if (sdl().WaitEventTimeout(&event, static_cast<int>(wait)) == 0) {
         if (left <= 0) return std::nullopt;
       } else if (auto result = event_of(event)) {
         if (result->kind == Kind::kMove || result->kind == Kind::kResize) take_latest(*result);
@@ -244,7 +244,7 @@ class ScreenWindow : public Window {
     if (is_woken_.exchange(true)) return;
     SDL_Event event{};
     event.type = wake_type_;
-    if (SDL_PushEvent(&event) != 1) is_woken_ = false;
+    if (sdl().PushEvent(&event) != 1) is_woken_ = false;
   }
 
   void show(const Raster& frame) override {
@@ -252,36 +252,36 @@ class ScreenWindow : public Window {
     const FrameSize size{frame.width, frame.height};
     if (!texture_ || size != texture_size_) make_texture(size);
     const bool is_shown =
-        SDL_UpdateTexture(texture_.get(), nullptr, frame.pixels.data(), static_cast<int>(4 * frame.width)) == 0 &&
-        SDL_RenderCopy(renderer_.get(), texture_.get(), nullptr, nullptr) == 0;
+        sdl().UpdateTexture(texture_.get(), nullptr, frame.pixels.data(), static_cast<int>(4 * frame.width)) == 0 &&
+        sdl().RenderCopy(renderer_.get(), texture_.get(), nullptr, nullptr) == 0;
     if (!is_shown) refuse("a frame cannot be shown");
-    SDL_RenderPresent(renderer_.get());
+    sdl().RenderPresent(renderer_.get());
   }
 
-  void set_title(std::string_view title) override { SDL_SetWindowTitle(window_.get(), std::string(title).c_str()); }
-  void set_clipboard(std::string_view text) override { SDL_SetClipboardText(std::string(text).c_str()); }
+  void set_title(std::string_view title) override { sdl().SetWindowTitle(window_.get(), std::string(title).c_str()); }
+  void set_clipboard(std::string_view text) override { sdl().SetClipboardText(std::string(text).c_str()); }
 
  private:
   void make_texture(FrameSize size) {
-    texture_.reset(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_ARGB8888, SDL_TEXTUREACCESS_STREAMING,
-                                     static_cast<int>(size.width), static_cast<int>(size.height)));
-    if (!texture_ || SDL_SetTextureBlendMode(texture_.get(), SDL_BLENDMODE_NONE) != 0)
+    texture_.reset(sdl().CreateTexture(renderer_.get(), SDL_PIXELFORMAT_ARGB8888, SDL_TEXTUREACCESS_STREAMING,
+                                       static_cast<int>(size.width), static_cast<int>(size.height)));
+    if (!texture_ || sdl().SetTextureBlendMode(texture_.get(), SDL_BLENDMODE_NONE) != 0)
       refuse("a frame cannot be shown");
     texture_size_ = size;
   }
 
   // Replaces the event by the last of those of its kind that wait next.
   void take_latest(WindowEvent& result) {
-    SDL_PumpEvents();
+    sdl().PumpEvents();
     SDL_Event event;
-    while (SDL_PeepEvents(&event, 1, SDL_PEEKEVENT, SDL_FIRSTEVENT, SDL_LASTEVENT) == 1) {
+    while (sdl().PeepEvents(&event, 1, SDL_PEEKEVENT, SDL_FIRSTEVENT, SDL_LASTEVENT) == 1) {
       const bool is_mark = event.type == SDL_POLLSENTINEL;  // of SDL's own
       const bool is_move = event.type == SDL_MOUSEMOTION && result.kind == Kind::kMove;
       const bool is_resize = event.type == SDL_WINDOWEVENT && result.kind == Kind::kResize &&
                              (event.window.event == SDL_WINDOWEVENT_RESIZED ||
                               of_window(event.window).value_or(WindowEvent{}).kind == Kind::kResize);
       if (!is_mark && !is_move && !is_resize) return;
-      SDL_PeepEvents(&event, 1, SDL_GETEVENT, SDL_FIRSTEVENT, SDL_LASTEVENT);
+      sdl().PeepEvents(&event, 1, SDL_GETEVENT, SDL_FIRSTEVENT, SDL_LASTEVENT);
       if (is_move) result = *event_of(event);
     }
   }
@@ -320,7 +320,7 @@ class ScreenWindow : public Window {
 
   WindowEvent at_mouse(Kind kind, int x, int y) {
     int width = 0, height = 0;
-    SDL_GetWindowSize(window_.get(), &width, &height);
+    sdl().GetWindowSize(window_.get(), &width, &height);
     const FrameSize frame = size();
     mouse_x_ = x * (width > 0 ? frame.width / static_cast<double>(width) : 1);
     mouse_y_ = y * (height > 0 ? frame.height / static_cast<double>(height) : 1);

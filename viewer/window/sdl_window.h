@@ -18,9 +18,9 @@ namespace hottel {
 //   (4) no signal handler is installed, and Ctrl-C is the program's own
 //
 // Throws RequestError where there is no display, or no window could be had: what() says what was tried and what needs
-// no display; and where the program was built without a window (HOTTEL_WINDOW). show() throws RequestError where the
-// frame could not be shown, ContractViolation unless it has width * height pixels, and one at least. REQUIRES: one such
-// window at a time in a process; a positive size.
+// no display; and where there is no SDL, or the program was built without a window (HOTTEL_WINDOW). show() throws
+// RequestError where the frame could not be shown, ContractViolation unless it has width * height pixels, and one at
+// least. REQUIRES: one such window at a time in a process; a positive size.
 std::unique_ptr<Window> open_window(const std::string& title, FrameSize size);
 
 }  // namespace hottel
