@@ -2,7 +2,8 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
+
+#include "kernel/doubles.h"
 
 namespace hottel {
 
@@ -43,7 +44,6 @@ struct Enclosure {
 //
 //   (1) the ends are not below 0; to add zero ({0, 0}) changes nothing
 inline Enclosure sum_of_nonnegative(const Enclosure& a, const Enclosure& b) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const auto add = [](double x, double y, double outward) {
     return x == 0 ? y : y == 0 ? x : std::nextafter(x + y, outward);
   };
@@ -61,7 +61,6 @@ struct Rounded {
   signed char side = 0;
 
   Enclosure enclosure() const {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     return {side < 0 ? std::nextafter(value, -kInfinity) : value, side > 0 ? std::nextafter(value, kInfinity) : value};
   }
   friend bool operator==(const Rounded&, const Rounded&) = default;

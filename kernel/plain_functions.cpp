@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "kernel/doubles.h"
 #include "kernel/two_doubles.h"
 
 namespace hottel::same_bits {
@@ -13,8 +14,7 @@ namespace {
 
 using Two = DoubleDouble;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity(),
-                 kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 constexpr Two kLn2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
 

@@ -31,6 +31,8 @@ inline std::array<double, 3> to_doubles(const Vector3& v) { return {to_double(v.
 inline Vector3 operator-(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
 inline Rational dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+// The square of the length.
+inline Rational square(const Vector3& a) { return dot(a, a); }
 
 // The vector product: zero iff a and b are parallel or one of them is zero.
 inline Vector3 cross(const Vector3& a, const Vector3& b) {

@@ -161,20 +161,20 @@ std::optional<Frame> best_frame(const Frames& frames, const ExchangeMatrix& exac
   return best == nullptr ? std::nullopt : std::optional(*best);
 }
 
-constexpr std::uint32_t kFewestRays = 1U << 10, kMostRays = 1U << 16;  // of an element
+constexpr std::uint32_t kFewestRaysOfOne = 1U << 10, kMostRays = 1U << 16;  // of an element
 constexpr std::uint64_t kRaysOfAll = 1U << 22;
 
 // How many rays tell the law of so many elements.
 std::uint32_t rays_of_law(std::uint32_t elements) {
   std::uint32_t rays = kMostRays;
-  while (rays > kFewestRays && std::uint64_t{rays} * elements > kRaysOfAll) rays /= 2;
+  while (rays > kFewestRaysOfOne && std::uint64_t{rays} * elements > kRaysOfAll) rays /= 2;
   return rays;
 }
 
 // Whether a law of few rays comes as near as the exact factors do, but for a margin: it scatters itself.
 bool may_be_uniform(const JudgedScene& scene, const Frames& frames, const ExchangeMatrix& exact) {
   constexpr double kMargin = 4;
-  const ExchangeMatrix few = scene.uniform_factors(kFewestRays);
+  const ExchangeMatrix few = scene.uniform_factors(kFewestRaysOfOne);
   const auto least_square = [&](const ExchangeMatrix& law) {
     double least = std::numeric_limits<double>::infinity();
     for (const Orientation& orientation : kOrientations) {

@@ -11,8 +11,8 @@
 namespace hottel {
 namespace {
 
-constexpr std::uint32_t kMostFaces = 500;
-constexpr int kMostShifted = 3;
+constexpr std::uint32_t kMostShuffled = 500;
+constexpr int kFarthestShift = 3;
 constexpr std::uint64_t kFewestFactors = 3;
 
 // Elements in an order that goes round, and the place of each; the sky may be among them.
@@ -85,7 +85,7 @@ Hypothesis permuted(const JudgedPairs& judged, bool is_of_columns) {
   const Fault fault = is_of_columns ? Fault::kColumnsPermuted : Fault::kRowsPermuted;
   Hypothesis result = explains_nothing(fault, judged);
   const ExchangeMatrix& exact = judged.exact();
-  if (judged.off() < 2 || exact.size() > kMostFaces) return result;
+  if (judged.off() < 2 || exact.size() > kMostShuffled) return result;
   const Dense numbers = dense(judged, is_of_columns);
   const auto is_same = [&](std::size_t row, std::size_t as) {
     for (std::size_t j = 0; j < numbers.columns; ++j) {
@@ -126,7 +126,7 @@ Hypothesis suppose_shifted(const JudgedPairs& judged) {
   std::uint64_t most = 0;
   for (const Ring& ring : rings(judged.exact())) {
     if (ring.elements.size() < 2) continue;
-    for (int by = -kMostShifted; by <= kMostShifted; ++by) {
+    for (int by = -kFarthestShift; by <= kFarthestShift; ++by) {
       for (const auto& [rows, columns, what] :
            {std::tuple(by, by, "rows and columns"), std::tuple(by, 0, "only the rows"),
             std::tuple(0, by, "only the columns")}) {

@@ -19,9 +19,9 @@
 namespace hottel {
 namespace {
 
-constexpr double kExactByChance = 1e-4;  // of as many rows
-constexpr double kLevelOfLeaky = 0.05;   // what is biased for sure is told where it probably is
-constexpr std::size_t kFewestOfRow = 4;  // pairs that tell how much a row scatters
+constexpr double kExactByChance = 1e-4;      // of as many rows
+constexpr double kLevelOfLeaky = 0.05;       // what is biased for sure is told where it probably is
+constexpr std::size_t kFewestToScatter = 4;  // pairs that tell how much a row scatters
 constexpr const char* kAllFactors = "all factors";
 constexpr std::size_t kMostTold = 3;
 
@@ -170,7 +170,7 @@ void BiasTests::name_columns() {
 
 // By how much a row scatters more than all do: by the median, which a few pairs that are wrong otherwise leave alone.
 double BiasTests::widening(Row row) const {
-  if (row.size() < kFewestOfRow) return 1;
+  if (row.size() < kFewestToScatter) return 1;
   std::vector<double> squares;
   for (const ScatteredPair& each : row) squares.push_back(each.rest * each.rest * scale_ / each.variance);
   const auto count = static_cast<double>(row.size());

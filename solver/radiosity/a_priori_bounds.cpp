@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "kernel/doubles.h"
 #include "kernel/support/failure.h"
 #include "solver/radiosity/irradiance.h"
 #include "solver/radiosity/printed_number.h"
@@ -14,8 +14,6 @@
 
 namespace hottel {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 const RationalEnclosure kNothing{};
 

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "kernel/doubles.h"
 #include "kernel/support/interrupt.h"
 
 namespace hottel {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kMostSteps = 25;
 constexpr int kMostRounds = 8;
 constexpr double kWorthwhile = 0.5;  // a step that reduces the residual less is the last

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/doubles.h"
 #include "kernel/enclosure.h"
 #include "kernel/exact_double.h"
 #include "kernel/int128.h"
@@ -112,7 +113,6 @@ inline double lower_scaled(double value, int exponent) {
 inline double upper_scaled(double value, int exponent) { return -lower_scaled(-value, exponent); }
 
 inline double DoubleDoubleBall::upper() const {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double rest = radius == 0 ? lo : std::nextafter(lo + radius, kInfinity);
   double s, e;
   two_sum(hi, rest, s, e);

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/gray_temperature.h"
 #include "geometry/name.h"
 #include "kernel/decimal.h"
+#include "kernel/doubles.h"
 #include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
 #include "solver/radiosity/printed_number.h"
@@ -39,7 +39,6 @@ double black_temperature(double power) {
 
 BoundedTemperature black_temperature(double power, const Enclosure& bounds) {
   HOTTEL_REQUIRE(0 <= bounds.lower && bounds.contains(power));
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   BoundedTemperature result;
   result.lower = black_temperature(bounds.lower);
   if (std::isfinite(result.lower)) {

@@ -9,7 +9,7 @@
 namespace hottel {
 namespace {
 
-constexpr Eigen::Index kBlock = 48;  // columns eliminated before the rest is updated
+constexpr Eigen::Index kColumnsAtOnce = 48;  // columns eliminated before the rest is updated
 
 }  // namespace
 
@@ -69,9 +69,9 @@ class Elimination::DenseComponent {
   void eliminate() {
     const Eigen::Index n = coupling_.rows();
     pivot_.setZero(n);
-    for (Eigen::Index first = 0; first < n; first += kBlock) {
+    for (Eigen::Index first = 0; first < n; first += kColumnsAtOnce) {
       throw_if_interrupted();
-      const Eigen::Index end = std::min(first + kBlock, n);
+      const Eigen::Index end = std::min(first + kColumnsAtOnce, n);
       for (Eigen::Index k = first; k < end; ++k) {
         const auto column = coupling_.col(k).tail(n - k - 1);
         pivot_[k] = defect_[k] + column.sum();

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/doubles.h"
 #include "kernel/exact_double.h"
 #include "kernel/plain_functions.h"
 #include "kernel/support/failure.h"
@@ -15,7 +16,6 @@
 namespace hottel {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr unsigned kBits = 256;
 constexpr double kOperationError = 0x1p-240;  // of one operation, relative: more than truncation to kBits loses
 

@@ -1,14 +1,12 @@
 #include "solver/radiosity/printed_number.h"
 
 #include <cmath>
-#include <limits>
 
+#include "kernel/doubles.h"
 #include "kernel/exact_double.h"
 
 namespace hottel {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The double nearest to a number, or its neighbour where that is on the wrong side.
 double below(double nearest, const Rational& value) {

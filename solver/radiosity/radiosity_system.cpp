@@ -17,8 +17,8 @@
 namespace hottel {
 namespace {
 
-constexpr std::size_t kGrain = 16;  // rows a task
-constexpr double kFar = 0x1p-400;   // below it a number is looked at in a unit of its own
+constexpr std::size_t kRowsOfTask = 16;  // rows a task
+constexpr double kFar = 0x1p-400;        // below it a number is looked at in a unit of its own
 
 // sum_j F_j (a_j - b_j), enclosed.
 class DifferenceSum {
@@ -89,7 +89,7 @@ bool may_be_closed(const ExchangeMatrix& matrix, std::uint32_t i) {
 template <class IsTrue>
 std::uint32_t first_row(const ExchangeMatrix& matrix, const IsTrue& is_true) {
   std::atomic<std::uint32_t> first{matrix.size()};
-  parallel_ranges(matrix.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallel_ranges(matrix.size(), kRowsOfTask, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<std::uint32_t>(begin); i < end && i < first; ++i) {
       if (!is_true(i)) continue;
       for (std::uint32_t there = first; i < there && !first.compare_exchange_weak(there, i);) continue;
@@ -159,7 +159,8 @@ RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector
   if (!rows_are_closed())
     parallel_for(
         rows_.size(),
-        [&](std::size_t i) { rows_[i].loss = loss_of(matrix.row(rows_[i].element), rows_[i].reflectivity); }, kGrain);
+        [&](std::size_t i) { rows_[i].loss = loss_of(matrix.row(rows_[i].element), rows_[i].reflectivity); },
+        kRowsOfTask);
   find_components();
 }
 
@@ -176,7 +177,7 @@ RadiositySystem::RadiositySystem(const ExchangeMatrix& some_rows, SystemNumbers 
 void RadiositySystem::find_components() {
   SharedDisjointSets sets(rows_.size());
   std::vector<char> loses(rows_.size());
-  parallel_ranges(rows_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallel_ranges(rows_.size(), kRowsOfTask, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
       loses[i] = absorptivity(rows_[i]) != 0;
       for (const FactorEntry& entry : matrix_->row(rows_[i].element)) {
@@ -223,7 +224,7 @@ void RadiositySystem::set_residual(const ResidualQuestion& question, const WorkR
   HOTTEL_REQUIRE(unknowns.end <= rows_.size() && result.size() == rows_.size());
   const auto is_zero = [](const DoubleDouble& value) { return value.hi == 0 && value.lo == 0; };
   const bool is_start = std::all_of(rest.begin(), rest.end(), is_zero);  // nothing is exchanged yet
-  parallel_ranges(unknowns.size(), kGrain, [&](std::size_t first, std::size_t last) {
+  parallel_ranges(unknowns.size(), kRowsOfTask, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = unknowns.begin + first; i < unknowns.begin + last; ++i)
       if (question.is_wanted[rows_[i].component]) result[i] = residual_of_row(question, i, is_start);
   });
@@ -327,7 +328,7 @@ void RadiositySystem::set_irradiance(const std::vector<ScaledBall>& radiosity, F
     is_far.push_back(!b.is_zero() && in_unit.back().size() < kFar);
     is_any_far |= is_far.back() != 0;
   }
-  parallel_ranges(elements.size(), kGrain, [&](std::size_t first, std::size_t last) {
+  parallel_ranges(elements.size(), kRowsOfTask, [&](std::size_t first, std::size_t last) {
     for (auto i = static_cast<std::uint32_t>(elements.begin + first); i < elements.begin + last; ++i) {
       const auto row = matrix_->row(i);
       if (!matrix_->has_row(i) || row.empty()) continue;
@@ -385,7 +386,7 @@ double PlainSystem::gathered(std::size_t i, const std::vector<double>& x) const 
 }
 
 void PlainSystem::multiply(const WorkRange& unknowns, const std::vector<double>& x, std::vector<double>& result) const {
-  parallel_ranges(unknowns.size(), kGrain, [&](std::size_t first, std::size_t last) {
+  parallel_ranges(unknowns.size(), kRowsOfTask, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = unknowns.begin + first; i < unknowns.begin + last; ++i) result[i] = gathered(i, x);
   });
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/doubles.h"
 #include "solver/radiosity/double_double_ball.h"
 
 namespace hottel {
@@ -33,10 +34,7 @@ struct ScaledBall {
   // A double near the middle of what is enclosed; infinite beyond the range of doubles.
   double nearest() const { return std::ldexp(mantissa.value(), exponent); }
   double lower() const { return -negated(*this).upper(); }
-  double upper() const {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    return std::isfinite(mantissa.size()) ? upper_scaled(mantissa.upper(), exponent) : kInfinity;
-  }
+  double upper() const { return std::isfinite(mantissa.size()) ? upper_scaled(mantissa.upper(), exponent) : kInfinity; }
 
   // The mantissa in units of 2^unit.
   DoubleDoubleBall in_unit(int unit) const { return scaled(mantissa, exponent - unit); }

@@ -2,37 +2,35 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
+#include "kernel/doubles.h"
 #include "kernel/int128.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 // Doubles not above and not below a - b; a - b itself where it is one.
-double below(double a, double b) {
+double difference_below(double a, double b) {
   double difference = 0, rest = 0;
   two_sum(a, -b, difference, rest);
   if (std::isnan(difference)) return -kInfinity;
   return rest == 0 ? difference : std::nextafter(difference, -kInfinity);
 }
-double above(double a, double b) { return -below(b, a); }
+double difference_above(double a, double b) { return -difference_below(b, a); }
 
 ElementRadiosity difference_of(const ElementRadiosity& a, const ElementRadiosity& b) {
   ElementRadiosity result;
   result.emission = a.emission - b.emission;
   result.reflectivity = a.reflectivity;
-  result.lower = below(a.lower, b.upper);
-  result.upper = above(a.upper, b.lower);
+  result.lower = difference_below(a.lower, b.upper);
+  result.upper = difference_above(a.upper, b.lower);
   result.radiosity = std::clamp(a.radiosity - b.radiosity, result.lower, result.upper);
   result.irradiance = a.irradiance - b.irradiance;
-  result.net_lower = below(a.net_lower, b.net_upper);
-  result.net_upper = above(a.net_upper, b.net_lower);
+  result.net_lower = difference_below(a.net_lower, b.net_upper);
+  result.net_upper = difference_above(a.net_upper, b.net_lower);
   result.net_value = std::clamp(a.net_value - b.net_value, result.net_lower, result.net_upper);
   return result;
 }

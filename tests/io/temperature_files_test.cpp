@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
 #include <string>
 
 #include "geometry/plane/scene/scene_builder.h"
 #include "io/scene/scene_json.h"
+#include "kernel/doubles.h"
 #include "solver/radiosity/element_temperatures.h"
 
 namespace hottel::temperature_files_test {
@@ -22,7 +22,6 @@ Rational power_of(double temperature) {
 
 // Properties (1) and (2) of black_temperature.
 TEST(BlackTemperature, BoundsAreTheNearestDoublesThatHold) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::mt19937 random(7);
   std::uniform_real_distribution<double> decades(-300, 300);
   for (int k = 0; k < 300; ++k) {

@@ -33,7 +33,7 @@ std::vector<Segment2> number_in_space(const std::vector<Edge2>& edges, PointInde
   return segments;
 }
 
-std::string text(const Point2& p) { return "(" + to_string(p.x) + ", " + to_string(p.y) + ")"; }
+std::string exact_text(const Point2& p) { return "(" + to_string(p.x) + ", " + to_string(p.y) + ")"; }
 
 }  // namespace
 
@@ -221,15 +221,16 @@ void Arrangement2::refuse_conflict(const Scene2& scene, PieceSideId side, const 
   const auto& [owner, rival] = claims;
   const Surface &first = scene.surfaces[owner.face.surface], &other = scene.surfaces[rival->face.surface];
   const Segment2& p = piece(side);
-  throw InputError(
-      {scene.file, other.line},
-      "'" + first.name + "' (" + (owner.face.is_back ? "back" : "front") + ") and '" + other.name + "' (" +
-          (rival->face.is_back ? "back" : "front") + ") claim the same side with different materials along " +
-          text(vertices().to_scene(vertices().exact(p.a))) + " to " + text(vertices().to_scene(vertices().exact(p.b))),
-      {"materials '" + owner.material->name + "' and '" + rival->material->name + "', on the " +
-           (is_right(side) ? "right" : "left") + " of that piece",
-       "give both the same material, or take one of the surfaces away",
-       shorter_patch_hint(scene, owner.face, rival->face)});
+  throw InputError({scene.file, other.line},
+                   "'" + first.name + "' (" + (owner.face.is_back ? "back" : "front") + ") and '" + other.name + "' (" +
+                       (rival->face.is_back ? "back" : "front") +
+                       ") claim the same side with different materials along " +
+                       exact_text(vertices().to_scene(vertices().exact(p.a))) + " to " +
+                       exact_text(vertices().to_scene(vertices().exact(p.b))),
+                   {"materials '" + owner.material->name + "' and '" + rival->material->name + "', on the " +
+                        (is_right(side) ? "right" : "left") + " of that piece",
+                    "give both the same material, or take one of the surfaces away",
+                    shorter_patch_hint(scene, owner.face, rival->face)});
 }
 
 Arrangement2 Arrangement2::restricted_to(const std::vector<std::uint32_t>& kept) const {

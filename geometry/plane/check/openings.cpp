@@ -11,7 +11,7 @@
 namespace hottel {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffff;
+constexpr std::uint32_t kNoPocket = 0xffffffff;
 
 // A place to pass, between a vertex and an edge (or its end), and how wide it is, about.
 struct Gap {
@@ -27,7 +27,7 @@ struct Pocket {
   double walls = 0;  // length of the pieces in it and in the pockets within it
   bool has_other_ways = false;
   bool is_narrowed = false;  // a pocket within it has a narrower door, and at least half of the walls
-  std::uint32_t opening = kNone;
+  std::uint32_t opening = kNoPocket;
 };
 
 // The way out that is widest at its narrowest place, for all triangles at once: flooding from infinity, widest first.
@@ -36,18 +36,18 @@ class Flood {
   explicit Flood(const Arrangement2& arrangement)
       : vertices_(arrangement.vertices()),
         triangulation_(arrangement.triangulation()),
-        pocket_of_(triangulation_.triangle_count(), kNone) {
+        pocket_of_(triangulation_.triangle_count(), kNoPocket) {
     for (const HalfEdgeId h : triangulation_.half_edges())
-      if (triangulation_.is_bare_hull(h)) arrive({length(h), h, kNone, along(h)});
+      if (triangulation_.is_bare_hull(h)) arrive({length(h), h, kNoPocket, along(h)});
     while (!waiting_.empty()) {
       const Arrival next = waiting_.top();
       waiting_.pop();
-      if (pocket(triangle_of(next.entry)) == kNone) enter(next);
+      if (pocket(triangle_of(next.entry)) == kNoPocket) enter(next);
     }
     for (std::size_t p = pockets_.size(); p-- > 0;)
-      if (pockets_[p].parent != kNone) pockets_[pockets_[p].parent].walls += pockets_[p].walls;
+      if (pockets_[p].parent != kNoPocket) pockets_[pockets_[p].parent].walls += pockets_[p].walls;
     for (const Pocket& pocket : pockets_)
-      if (pocket.parent != kNone && 2 * pocket.walls >= pockets_[pocket.parent].walls)
+      if (pocket.parent != kNoPocket && 2 * pocket.walls >= pockets_[pocket.parent].walls)
         pockets_[pocket.parent].is_narrowed = true;
     for (const HalfEdgeId h : triangulation_.half_edges()) find_other_ways(h);
   }
@@ -59,7 +59,7 @@ class Flood {
   struct Arrival {
     double width;
     HalfEdgeId entry;
-    std::uint32_t pocket;  // the one the way comes from; kNone: infinity
+    std::uint32_t pocket;  // the one the way comes from; kNoPocket: infinity
     Gap gap;               // the narrowest place, if it is new
     bool operator<(const Arrival& other) const {
       return width != other.width ? width < other.width : entry > other.entry;
@@ -85,12 +85,12 @@ class Flood {
   }
 
   void arrive(Arrival arrival) {
-    if (pocket(triangle_of(arrival.entry)) == kNone) waiting_.push(arrival);
+    if (pocket(triangle_of(arrival.entry)) == kNoPocket) waiting_.push(arrival);
   }
 
   void enter(const Arrival& arrival) {
     std::uint32_t here = arrival.pocket;
-    if (here == kNone || arrival.width < pockets_[here].gap.width) {
+    if (here == kNoPocket || arrival.width < pockets_[here].gap.width) {
       here = static_cast<std::uint32_t>(pockets_.size());
       pockets_.push_back({arrival.pocket, arrival.entry, arrival.gap});
     }
@@ -112,11 +112,11 @@ class Flood {
   // Marks the pockets that a half-edge leads out of although it is not their door.
   void find_other_ways(HalfEdgeId h) {
     std::uint32_t here = pocket(triangle_of(h));
-    if (triangulation_.is_piece(h) || here == kNone) return;
-    std::uint32_t beyond = triangulation_.is_open(h) ? pocket(triangle_of(triangulation_.twin(h))) : kNone;
+    if (triangulation_.is_piece(h) || here == kNoPocket) return;
+    std::uint32_t beyond = triangulation_.is_open(h) ? pocket(triangle_of(triangulation_.twin(h))) : kNoPocket;
     // Pockets are numbered after those they are in: the larger of two different ones does not hold the other.
-    while (here != beyond && here != kNone) {
-      if (beyond != kNone && beyond > here) {
+    while (here != beyond && here != kNoPocket) {
+      if (beyond != kNoPocket && beyond > here) {
         beyond = pockets_[beyond].parent;
         continue;
       }
@@ -142,25 +142,25 @@ Opening2 opening_at(const Vertices2& vertices, const Pocket& pocket) {
 
 }  // namespace
 
-Openings2::Openings2(const Arrangement2& arrangement) : of_side_(arrangement.side_count(), kNone) {
+Openings2::Openings2(const Arrangement2& arrangement) : of_side_(arrangement.side_count(), kNoPocket) {
   Flood flood(arrangement);
   for (Pocket& pocket : flood.pockets()) {
-    if (pocket.parent != kNone) pocket.opening = flood.pockets()[pocket.parent].opening;
-    if (pocket.opening != kNone || pocket.is_narrowed || pocket.gap.width >= kOpeningPart * pocket.walls) continue;
+    if (pocket.parent != kNoPocket) pocket.opening = flood.pockets()[pocket.parent].opening;
+    if (pocket.opening != kNoPocket || pocket.is_narrowed || pocket.gap.width >= kOpeningPart * pocket.walls) continue;
     pocket.opening = static_cast<std::uint32_t>(openings_.size());
     openings_.push_back(opening_at(arrangement.vertices(), pocket));
   }
   const Triangulation2& triangulation = arrangement.triangulation();
   for (const HalfEdgeId h : triangulation.half_edges()) {
     const std::uint32_t pocket = flood.pocket(triangle_of(h));
-    if (triangulation.is_piece(h) && pocket != kNone)
+    if (triangulation.is_piece(h) && pocket != kNoPocket)
       of_side_[triangulation.side(h).index()] = flood.pockets()[pocket].opening;
   }
 }
 
 std::optional<std::uint32_t> Openings2::behind(PieceSideId side) const {
   const std::uint32_t opening = of_side_[side.index()];
-  return opening == kNone ? std::nullopt : std::optional(opening);
+  return opening == kNoPocket ? std::nullopt : std::optional(opening);
 }
 
 }  // namespace hottel

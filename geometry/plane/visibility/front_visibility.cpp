@@ -12,10 +12,6 @@ namespace {
 // Of parts that no front sees.
 constexpr std::uint32_t kUnseen = kNoSolid - 1;
 
-Point2 minus(const Point2& p, const Point2& q) { return {p.x - q.x, p.y - q.y}; }
-Rational cross(const Point2& p, const Point2& q) { return p.x * q.y - p.y * q.x; }
-Rational dot(const Point2& p, const Point2& q) { return p.x * q.x + p.y * q.y; }
-
 // How a direction lies to half a turn from another one: -1 before, 0 at it, 1 beyond. Counter-clockwise, or clockwise;
 // what lies along the other one itself is before at the beginning of a turn and beyond at its end.
 int half_turn(const Point2& from, const Point2& direction, bool is_clockwise, bool is_beginning) {

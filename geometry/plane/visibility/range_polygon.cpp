@@ -7,11 +7,8 @@
 namespace hottel {
 namespace {
 
-Point2 minus(const Point2& p, const Point2& q) { return {p.x - q.x, p.y - q.y}; }
 Point2 times(const Rational& t, const Point2& p) { return {t * p.x, t * p.y}; }
 Point2 plus(const Point2& p, const Point2& q) { return {p.x + q.x, p.y + q.y}; }
-Rational cross(const Point2& p, const Point2& q) { return p.x * q.y - p.y * q.x; }
-Rational dot(const Point2& p, const Point2& q) { return p.x * q.x + p.y * q.y; }
 
 // base + slope sqrt(radicand), correctly rounded. What is irrational is neither a double nor half-way between two.
 double rounded(const Rational& base, const Rational& slope, const Rational& radicand) {

@@ -7,7 +7,7 @@ namespace hottel {
 namespace {
 
 using Set = EyeTile2::Set;
-using Group = EyeTile2::Group;
+using EyeGroup = EyeTile2::Group;
 
 // Where there are at most so many eyes in a triangle on average, they have too little in common to go together.
 constexpr std::size_t kFew = 2;
@@ -18,7 +18,9 @@ void for_each_eye(Set eyes, const Visit& visit) {
   for (; eyes != 0; eyes &= eyes - 1) visit(static_cast<std::size_t>(std::countr_zero(eyes)));
 }
 
-Group part(const EyeTile2& tile, const Group& group, Set eyes) { return eyes == group.eyes ? group : tile.group(eyes); }
+EyeGroup part(const EyeTile2& tile, const EyeGroup& group, Set eyes) {
+  return eyes == group.eyes ? group : tile.group(eyes);
+}
 
 }  // namespace
 
@@ -178,7 +180,7 @@ void TileViews2::enter(const Triangulation2& triangulation, const EyeTile2& tile
   entering_.assign(first, cones_.end());
   cones_.erase(first, cones_.end());
   openings_.pop_back();
-  const auto add_part = [&](VertexId right, VertexId left, const Group& group, Set eyes) {
+  const auto add_part = [&](VertexId right, VertexId left, const EyeGroup& group, Set eyes) {
     if (eyes != 0) add(tile, right, left, part(tile, group, eyes));
   };
   open(previous_half_edge(entry));
@@ -194,7 +196,7 @@ void TileViews2::enter(const Triangulation2& triangulation, const EyeTile2& tile
 }
 
 // Adds a cone to the last opening.
-void TileViews2::add(const EyeTile2& tile, VertexId right, VertexId left, const Group& group) {
+void TileViews2::add(const EyeTile2& tile, VertexId right, VertexId left, const EyeGroup& group) {
   for (std::size_t k = openings_.back().first_cone; k < cones_.size(); ++k)
     if (cones_[k].right == right && cones_[k].left == left) {
       cones_[k].group = tile.group(cones_[k].group.eyes | group.eyes);

@@ -9,10 +9,6 @@
 namespace hottel {
 namespace {
 
-Point2 minus(const Point2& p, const Point2& q) { return {p.x - q.x, p.y - q.y}; }
-Rational cross(const Point2& p, const Point2& q) { return p.x * q.y - p.y * q.x; }
-Rational dot(const Point2& p, const Point2& q) { return p.x * q.x + p.y * q.y; }
-
 // Where the ray from the eye through a point meets the line of a piece. REQUIRES that they are not parallel.
 Point2 ray_meets_piece(const Point2& eye, const Point2& through, const Point2& a, const Point2& b) {
   const Point2 along = minus(b, a), ray = minus(through, eye);

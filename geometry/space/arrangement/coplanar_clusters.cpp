@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
 
 #include "geometry/space/scene/plane_triangulation.h"
+#include "kernel/doubles.h"
 #include "kernel/support/disjoint_sets.h"
 
 namespace hottel {
@@ -17,7 +17,6 @@ using Member = CoplanarCluster3::Member;
 
 // A box of a polygon in its plane, rounded. Rounding keeps the order of numbers: where polygons meet, their boxes do.
 struct FlatBox {
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::array<double, 2> low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
 
   explicit FlatBox(const std::vector<FlatPoint3>& points) {

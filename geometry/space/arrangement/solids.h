@@ -3,13 +3,13 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/space/scene/plane_frame.h"
 #include "geometry/space/scene/scene.h"
+#include "kernel/doubles.h"
 
 namespace hottel {
 
@@ -24,7 +24,6 @@ struct ClosedMesh3 {
   // Holds what is in it, rounding included.
   struct Box {
     std::array<double, 3> low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
-    static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
     void include(const Point3& point);
     void include(const Box& other);

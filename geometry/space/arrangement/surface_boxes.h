@@ -4,16 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "geometry/space/arrangement/occluders.h"
+#include "kernel/doubles.h"
 
 namespace hottel {
 
 // A box of the doubles of Vertices3. It begins around nothing.
 struct Box3 {
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::array<double, 3> low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
 
   void include(const BoundedVector& p) {

@@ -98,8 +98,9 @@ Solids3 as_solid(const Scene3& scene, const Surfaces& surfaces, bool is_inward) 
 }
 
 // What holds all corners of a part.
-struct Corners {
-  Corners(const Scene3& scene, const Surfaces& surfaces) : low(scene.polygons[surfaces.front()].points[0]), high(low) {
+struct CornerBox {
+  CornerBox(const Scene3& scene, const Surfaces& surfaces)
+      : low(scene.polygons[surfaces.front()].points[0]), high(low) {
     for (const std::uint32_t s : surfaces)
       for (const Point3& p : scene.polygons[s].points) {
         low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
@@ -136,7 +137,7 @@ std::vector<Point3> marks_of(const Grid3& grid) {
 bool holds_anything(const Scene3& scene, const Solids3& solids, const Surfaces& surfaces,
                     const std::vector<char>& is_of_part) {
   const auto is_in = [&](const Point3& point) { return solids.around(point).has_value(); };
-  const Corners box(scene, surfaces);
+  const CornerBox box(scene, surfaces);
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     if (std::binary_search(surfaces.begin(), surfaces.end(), s)) continue;
     const std::vector<Point3> corners = corners_of(scene.polygons[s]);
@@ -206,7 +207,7 @@ std::vector<Shell3> inside_out_shells(const Scene3& scene) {
     if (is_room_by_word(scene, surfaces) || (scene.closed && !has_others)) continue;
     const Point3& corner = scene.polygons[surfaces.front()].points.front();
     const bool is_hollow = std::any_of(outward.begin(), outward.end(), [&](const Surfaces& body) {
-      return Corners(scene, body).hold(corner) && as_solid(scene, body, false).around(corner).has_value();
+      return CornerBox(scene, body).hold(corner) && as_solid(scene, body, false).around(corner).has_value();
     });
     if (is_hollow) continue;
     const Solids3 solid = as_solid(scene, surfaces, true);

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
+
+#include "kernel/doubles.h"
 
 namespace hottel {
 namespace {
@@ -58,7 +59,6 @@ void include_rounded(const Point3& point, Box3& box) {
 }
 
 void grow(Box3& box, double by) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (int a = 0; a < 3; ++a) {
     box.low[a] = std::nextafter(box.low[a] - by, -kInfinity);
     box.high[a] = std::nextafter(box.high[a] + by, kInfinity);

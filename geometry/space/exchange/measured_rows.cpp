@@ -10,13 +10,12 @@
 #include "geometry/space/exchange/rest_for_sky.h"
 #include "geometry/space/vectors/local_vector.h"
 #include "geometry/unit_of_length.h"
+#include "kernel/doubles.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 
 namespace hottel {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // No element sends or gets more than its area. So both factors of a pair are of one S, also where one of them is 1.
 void keep_within_areas(const ElementTable3& table, PairSum3& pair) {

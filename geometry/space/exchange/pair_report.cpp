@@ -14,13 +14,13 @@
 #include "geometry/space/prepared/prepared_scene.h"
 #include "geometry/space/unobstructed/unobstructed.h"
 #include "geometry/unit_of_length.h"
+#include "kernel/doubles.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 
 namespace hottel {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 
 // Products of a proven number with a factor that is off by half a unit.

@@ -5,20 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "geometry/name.h"
 #include "geometry/space/vectors/local_vector.h"
+#include "kernel/doubles.h"
 #include "kernel/rational.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // What an element's pairs with others leave of its area.
 struct Rest {

@@ -12,7 +12,7 @@ namespace hottel {
 namespace {
 
 constexpr std::int64_t kWall = 150, kDoorWidth = 900, kDoorHeight = 2000;  // millimetres
-constexpr std::uint64_t kRoomTriangles = 14, kDoorTriangles = 20;          // of the walls, floor and ceiling of a room
+constexpr std::uint64_t kShellTriangles = 14, kDoorTriangles = 20;         // of the walls, floor and ceiling of a room
 
 constexpr Dot3 kUp{0, 0, kPlaceHeight}, kDoorUp{0, 0, kDoorHeight};
 
@@ -75,7 +75,7 @@ Dot3 corner_of(std::int64_t k, std::int64_t columns) {
 }  // namespace
 
 Scene3 generate_flat_3(const GeneratorRequest3& request) {
-  constexpr std::uint64_t kMoreForARoom = kPlaceTriangles + kRoomTriangles + kDoorTriangles;
+  constexpr std::uint64_t kMoreForARoom = kPlaceTriangles + kShellTriangles + kDoorTriangles;
   const std::uint64_t count = (request.n + kDoorTriangles) / kMoreForARoom;
   const auto rooms = static_cast<std::int64_t>(count);
   const std::int64_t columns = side_of_square(count);

@@ -9,8 +9,8 @@
 namespace hottel {
 namespace {
 
-constexpr std::int64_t kCell = 1000, kFoot = 100;  // centimetres
-constexpr std::int64_t kLotCells = 2;              // along a side
+constexpr std::int64_t kTerrainCell = 1000, kFoot = 100;  // centimetres
+constexpr std::int64_t kLotCells = 2;                     // along a side
 constexpr std::int64_t kPolygonsOfABuilding = 6;
 
 // Cells along a side: a tenth of the polygons is for buildings, the rest for two triangles a cell.
@@ -38,7 +38,7 @@ class Heights {
     return range;
   }
 
-  Dot3 point(std::int64_t i, std::int64_t j) const { return {i * kCell, j * kCell, (*this)(i, j)}; }
+  Dot3 point(std::int64_t i, std::int64_t j) const { return {i * kTerrainCell, j * kTerrainCell, (*this)(i, j)}; }
 
  private:
   std::size_t place(std::int64_t i, std::int64_t j) const { return static_cast<std::size_t>(j * (cells_ + 1) + i); }
@@ -50,7 +50,7 @@ class Heights {
     const std::int64_t radius = chance.between(3, std::max<std::int64_t>(3, cells_ / 4));  // cells
     const std::int64_t x = chance.between(radius, cells_ - radius);
     const std::int64_t y = chance.between(radius, cells_ - radius);
-    const std::int64_t height = chance.between(5, 15) * radius * kCell / 100, square = radius * radius;
+    const std::int64_t height = chance.between(5, 15) * radius * kTerrainCell / 100, square = radius * radius;
     for (std::int64_t j = std::max<std::int64_t>(1, y - radius); j < std::min(cells_, y + radius); ++j)
       for (std::int64_t i = std::max<std::int64_t>(1, x - radius); i < std::min(cells_, x + radius); ++i) {
         const std::int64_t rest = square - (i - x) * (i - x) - (j - y) * (j - y);
@@ -88,7 +88,7 @@ Scene3 generate_terrain_3(const GeneratorRequest3& request) {
   const Heights heights(cells, chance);
   GeneratorCanvas3 canvas(request, 2);
   add_ground(canvas, heights, cells);
-  const std::int64_t end = cells * kCell;
+  const std::int64_t end = cells * kTerrainCell;
   canvas.look({end / 2, -end / 2, end / 2}, {end / 2, end / 2, 0});
   constexpr std::array<Paint, 4> kPaints = {kWhite, kRed, kBlue, kWood};
   const std::vector<std::int64_t> chosen = drawn(buildings, lots * lots, chance);
@@ -96,7 +96,8 @@ Scene3 generate_terrain_3(const GeneratorRequest3& request) {
     const std::int64_t i = chosen[k] % lots * kLotCells, j = chosen[k] / lots * kLotCells;
     const auto [lowest, highest] = heights.range(i, j, kLotCells);
     const auto gap = [&chance] { return chance.between(130, 570); };
-    const Dot3 corner{i * kCell, j * kCell, 0}, opposite{(i + kLotCells) * kCell, (j + kLotCells) * kCell, 0};
+    const Dot3 corner{i * kTerrainCell, j * kTerrainCell, 0},
+        opposite{(i + kLotCells) * kTerrainCell, (j + kLotCells) * kTerrainCell, 0};
     const Dot3 from{gap(), gap(), lowest - kFoot};
     const Dot3 to{-gap(), -gap(), highest + chance.between(300, 2000)};
     canvas.add_block(numbered("building", k), upright_block(corner + from, opposite + to), kPaints[chance.below(4)]);

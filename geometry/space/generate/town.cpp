@@ -8,8 +8,8 @@
 namespace hottel {
 namespace {
 
-constexpr std::int64_t kLotsInARow = 25, kLot = 80, kGap = 8;  // quarters of a metre
-constexpr std::int64_t kQuarter = 25;                          // centimetres
+constexpr std::int64_t kLotsInARow = 25, kPlot = 80, kGap = 8;  // quarters of a metre
+constexpr std::int64_t kQuarter = 25;                           // centimetres
 constexpr std::uint32_t kGroundElements = 20, kFaceElements = 2;
 
 // Whole numbers by remainders, not those of Chance: the towns of which benchmark results are kept were drawn so.
@@ -44,7 +44,7 @@ void add_building(GeneratorCanvas3& canvas, const Block3& block, bool has_bottom
 Scene3 generate_town_3(const GeneratorRequest3& request) {
   const auto n = static_cast<std::int64_t>(request.n);
   const std::int64_t rows = (n + kLotsInARow - 1) / kLotsInARow;
-  const Dot3 far{kLotsInARow * kLot * kQuarter, rows * kLot * kQuarter, 0};
+  const Dot3 far{kLotsInARow * kPlot * kQuarter, rows * kPlot * kQuarter, 0};
   Remainders remainders(request.seed);
   GeneratorCanvas3 canvas(request, 2);
   canvas.divide(kGroundElements);
@@ -56,8 +56,8 @@ Scene3 generate_town_3(const GeneratorRequest3& request) {
   for (std::int64_t k = 0; k < n; ++k) {
     const std::int64_t width = remainders.between(32, 56), depth = remainders.between(32, 56);
     const std::int64_t height = remainders.between(24, 160);
-    const std::int64_t x = k % kLotsInARow * kLot + remainders.between(kGap, kLot - kGap - width);
-    const std::int64_t y = k / kLotsInARow * kLot + remainders.between(kGap, kLot - kGap - depth);
+    const std::int64_t x = k % kLotsInARow * kPlot + remainders.between(kGap, kPlot - kGap - width);
+    const std::int64_t y = k / kLotsInARow * kPlot + remainders.between(kGap, kPlot - kGap - depth);
     canvas.begin(numbered("building", k));
     add_building(canvas, upright_block(kQuarter * Dot3{x, y, 0}, kQuarter * Dot3{x + width, y + depth, height}),
                  request.has_bottoms, kPaints[static_cast<std::size_t>(k % 4)]);

@@ -12,8 +12,6 @@ namespace {
 using Corners = std::array<std::uint32_t, 3>;
 using Ways = std::vector<std::array<double, 3>>;
 
-Rational square(const Vector3& a) { return dot(a, a); }
-
 // The square of the area of a triangle, times 16, rounded.
 double squared_area(const Ways& p, std::size_t a, std::size_t b, std::size_t c) {
   const double ux = p[b][0] - p[a][0], uy = p[b][1] - p[a][1], uz = p[b][2] - p[a][2];

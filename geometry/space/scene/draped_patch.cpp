@@ -16,8 +16,6 @@ namespace {
 constexpr std::array<Rational Vector3::*, 3> kWays{&Vector3::x, &Vector3::y, &Vector3::z};
 constexpr std::array<Rational Point3::*, 3> kPlaces{&Point3::x, &Point3::y, &Point3::z};
 
-Rational square(const Vector3& v) { return dot(v, v); }
-
 // What is seen along an axis; a polygon of that area goes around counter-clockwise.
 class AxisView {
  public:

@@ -19,8 +19,6 @@
 namespace hottel {
 namespace {
 
-Rational square(const Vector3& v) { return dot(v, v); }
-
 // A plane polygon that patches may lie on: a surface, or a facet of one.
 struct Facet {
   PlaneFrame3 frame;

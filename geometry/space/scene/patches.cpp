@@ -12,16 +12,16 @@ namespace hottel {
 namespace {
 
 // A plane polygon that patches may lie on: a surface, or a facet of one.
-struct Facet {
+struct BaseFacet {
   PlaneFrame3 frame;
   FlatRegion3 region;
   Polygon3 polygon;
 
-  explicit Facet(Polygon3 p) : frame(p.points), region(frame.region(p.points, p.holes)), polygon(std::move(p)) {}
+  explicit BaseFacet(Polygon3 p) : frame(p.points), region(frame.region(p.points, p.holes)), polygon(std::move(p)) {}
 };
 
 // The parts of a facet of which a region has nothing.
-void append_beside(const Facet& facet, const std::vector<FlatRegion3>& taken, std::vector<Polygon3>& pieces) {
+void append_beside(const BaseFacet& facet, const std::vector<FlatRegion3>& taken, std::vector<Polygon3>& pieces) {
   std::vector<FlatSegment3> segments;
   facet.region.append_sides(segments);
   for (const FlatRegion3& region : taken) region.append_sides(segments);
@@ -48,7 +48,7 @@ std::vector<Polygon3> beside_patches(const PatchCarriers3& carriers, const Face&
   if (patches.empty()) return {scene.polygons[face.surface]};
   std::vector<Polygon3> pieces;
   for (Polygon3& polygon : facets_of(scene.polygons[face.surface])) {
-    const Facet facet(std::move(polygon));
+    const BaseFacet facet(std::move(polygon));
     std::vector<FlatRegion3> taken;
     for (const std::uint32_t s : patches) {
       for (const Polygon3& part : facets_of(scene.polygons[s]))
@@ -95,7 +95,7 @@ PatchCarriers3::PatchCarriers3(const Scene3& scene) : scene_(&scene), bases_(sce
 }
 
 std::vector<std::uint32_t> PatchCarriers3::of(std::uint32_t patch) const {
-  std::vector<Facet> own;
+  std::vector<BaseFacet> own;
   for (Polygon3& polygon : facets_of(scene_->polygons[patch])) own.emplace_back(std::move(polygon));
   std::vector<std::uint32_t> carriers;
   for (const std::uint32_t s : bases_.under(patch)) {
@@ -103,7 +103,7 @@ std::vector<std::uint32_t> PatchCarriers3::of(std::uint32_t patch) const {
     const std::vector<Polygon3> facets = facets_of(scene_->polygons[s]);
     if (std::ranges::any_of(facets, [&](const Polygon3& polygon) {
           const PlaneFrame3 frame(polygon.points);
-          return std::ranges::any_of(own, [&](const Facet& part) {
+          return std::ranges::any_of(own, [&](const BaseFacet& part) {
             return frame.key() == part.frame.key() && frame.region(polygon.points, polygon.holes).may_meet(part.region);
           });
         }))

@@ -14,7 +14,7 @@
 namespace hottel {
 namespace {
 
-constexpr std::array<Rational Vector3::*, 3> kAxes{&Vector3::x, &Vector3::y, &Vector3::z};
+constexpr std::array<Rational Vector3::*, 3> kVectorAxes{&Vector3::x, &Vector3::y, &Vector3::z};
 
 bool has_lowest_terms(const Point3& point) {
   return is_in_lowest_terms(point.x) && is_in_lowest_terms(point.y) && is_in_lowest_terms(point.z);
@@ -70,7 +70,7 @@ Turning turning_of(const std::vector<Point3>& p, Rational Vector3::*axis) {
 }
 
 Rational Vector3::*axis_of(const Vector3& normal) {
-  return *std::find_if(kAxes.begin(), kAxes.end(), [&](const auto axis) { return normal.*axis != 0; });
+  return *std::find_if(kVectorAxes.begin(), kVectorAxes.end(), [&](const auto axis) { return normal.*axis != 0; });
 }
 
 // Outline and holes that are loops of one plane by themselves, together.

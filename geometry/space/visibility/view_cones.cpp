@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "kernel/doubles.h"
 
 namespace hottel {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLeastCosine = 0.1;  // of a cone that excludes anything: two of them stay below 180 degrees
 constexpr double kSlack = 1e-12;      // far above the rounding of what is compared, relative to the distances
 constexpr double kTurnSlack = 1e-14;  // far above the rounding of a cosine

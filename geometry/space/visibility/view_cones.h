@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
 #include "geometry/space/visibility/cone_fragment.h"
 #include "geometry/space/visibility/direction.h"
 #include "geometry/space/visibility/eye_planes.h"
+#include "kernel/doubles.h"
 
 namespace hottel {
 
@@ -39,7 +39,6 @@ inline bool may_hide(const ViewCone3& occluder, const ViewCone3& target) {
 
 // An axis-parallel box of vectors from the eye.
 struct ViewBox3 {
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double low[3] = {kInfinity, kInfinity, kInfinity}, high[3] = {-kInfinity, -kInfinity, -kInfinity};
 
   void include(const BoundedVector& w) {

@@ -53,10 +53,10 @@ Held decimal_or_double(const Rational& value) {
 
 // The float nearest to a value, ties to even.
 float nearest_float(const Rational& value) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
   const auto guess = static_cast<float>(to_double(value));  // or a neighbour is: it is rounded twice
   std::optional<float> best;
-  for (const float candidate : {guess, std::nextafter(guess, -kInfinity), std::nextafter(guess, kInfinity)}) {
+  for (const float candidate : {guess, std::nextafter(guess, -kFloatInfinity), std::nextafter(guess, kFloatInfinity)}) {
     if (!std::isfinite(candidate)) continue;
     if (best) {
       const int order = cmp(Rational(abs(exact_value(candidate) - value)), Rational(abs(exact_value(*best) - value)));

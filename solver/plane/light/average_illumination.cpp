@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "kernel/doubles.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
@@ -14,7 +15,6 @@
 namespace hottel {
 namespace {
 
-constexpr double kUnit = 0x1p-53;
 constexpr std::uint32_t kRowsInABand = 8;
 constexpr std::size_t kVerticesInABlock = 16;
 
@@ -79,7 +79,7 @@ AverageIllumination2 illuminate_averages(const PreparedScene2& prepared, const G
                   std::numeric_limits<double>::quiet_NaN());
       continue;
     }
-    const double of_cell = sums.error(cell) * scale + lost / (2 * std::numbers::pi) + 16 * kUnit * brightest;
+    const double of_cell = sums.error(cell) * scale + lost / (2 * std::numbers::pi) + 16 * kUnitRoundoff * brightest;
     const double error = of_cell / share * 1.0001;
     const bool is_known = error < brightest;
     for (std::uint32_t c = 0; c < channels; ++c) {

@@ -16,9 +16,6 @@ namespace {
 
 constexpr long kFirstPrecision = 128, kMostPrecision = 1 << 20;
 
-Rational cross(const Point2& a, const Point2& b) { return a.x * b.y - a.y * b.x; }
-Rational dot(const Point2& a, const Point2& b) { return a.x * b.x + a.y * b.y; }
-
 Ball radians(const Rational& degrees, long precision) {
   return Ball::pi(precision).times(Ball::of(Rational(degrees / 180), precision), precision);
 }

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/doubles.h"
 #include "solver/plane/light/cells_near.h"
 
 namespace hottel {
 namespace {
 
-constexpr double kUnit = 0x1p-53;
-constexpr double kCornerDoubt = 32 * kUnit;  // of the corners of a part, in radii
+constexpr double kCornerDoubt = 32 * kUnitRoundoff;  // of the corners of a part, in radii
 
 }  // namespace
 
@@ -76,7 +76,7 @@ void CellSums2::add_sector(const LitWedges2& lit, std::size_t w, const Cell& cel
 
 void CellSums2::add_cell(const Vector2& z, const Vector2& axis, const Cell& cell, const Weight& weight) {
   const double angle_doubt = integrals_.is_near(z) ? integrals_.angle_error(z) : 12 * frame_.height();
-  deposit(integrals_.over_cell(z, axis), 0, kUnit * angle_doubt, cell, weight);
+  deposit(integrals_.over_cell(z, axis), 0, kUnitRoundoff * angle_doubt, cell, weight);
 }
 
 void CellSums2::add_right_of(const CutLine2& ray, const Vector2& z, const Vector2& axis, const Cell& cell,
@@ -109,9 +109,9 @@ void CellSums2::add_between(const LitWedges2& lit, const LitWedge2& wedge, const
 // doubt: the distances by which the lines that cut the part may be off, summed.
 void CellSums2::add_part(const CellPart2& part, double doubt, const Vector2& z, const Vector2& axis, const Cell& cell,
                          const Weight& weight) {
-  const double strips = doubt * 4 * integrals_.radius(), rounding = kUnit * integrals_.area_error();
+  const double strips = doubt * 4 * integrals_.radius(), rounding = kUnitRoundoff * integrals_.area_error();
   deposit(part.size() < 3 ? AreaAndAngle2{} : integrals_.over(part, z, axis), strips + rounding,
-          kUnit * integrals_.angle_error(z), cell, weight);
+          kUnitRoundoff * integrals_.angle_error(z), cell, weight);
 }
 
 void CellSums2::deposit(const AreaAndAngle2& part, double area_doubt, double angle_doubt, const Cell& cell,
@@ -126,8 +126,8 @@ void CellSums2::deposit(const AreaAndAngle2& part, double area_doubt, double ang
     largest = std::max(largest, std::fabs(constant) + std::fabs(slope));  // the angle stays below 1
     steepest = std::max(steepest, std::fabs(slope));
   }
-  errors_[cell.index] += largest * (area_doubt + 8 * kUnit * part.area) + steepest * angle_doubt +
-                         weight.doubt * part.area + kUnit * largest_sum;
+  errors_[cell.index] += largest * (area_doubt + 8 * kUnitRoundoff * part.area) + steepest * angle_doubt +
+                         weight.doubt * part.area + kUnitRoundoff * largest_sum;
 }
 
 }  // namespace hottel

@@ -14,8 +14,6 @@
 namespace hottel {
 namespace {
 
-Point2 minus(const Point2& p, const Point2& q) { return {p.x - q.x, p.y - q.y}; }
-
 LightShares shares_of(const PreparedScene2& prepared, const ElementTable2& table, const PointLocation2& location,
                       const Light& light, const LightPlace2& place) {
   const Vertices2& vertices = prepared.arrangement.vertices();

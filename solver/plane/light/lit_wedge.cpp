@@ -5,12 +5,12 @@
 #include <numbers>
 #include <utility>
 
+#include "kernel/doubles.h"
 #include "kernel/plain_functions.h"
 
 namespace hottel {
 namespace {
 
-constexpr double kUnit = 0x1p-53;
 constexpr double kLost = 0.25;  // lines that are known less well than this, in cells, are of no use
 
 Vector2 normalized(const Vector2& a) { return (1 / std::hypot(a.x, a.y)) * a; }
@@ -81,7 +81,7 @@ void WedgeLighting2::place_end(VertexId v, const Wedge2& wedge, LitWedge2& lit) 
     const double turn = cross(way, step);
     const double t = turn == 0 ? 0 : std::clamp(-cross(way, from) / turn, 0.0, 1.0);
     corner = rounded(p) + t * step;
-    const double slide = turn == 0 ? length : std::min(length, 64 * kUnit * far * length / std::fabs(turn));
+    const double slide = turn == 0 ? length : std::min(length, 64 * kUnitRoundoff * far * length / std::fabs(turn));
     lit.margin = std::max(lit.margin, slide);
   }
   lit.margin += 0x1p-46 * far;
@@ -100,7 +100,7 @@ void WedgeLighting2::place_without_end(VertexId v, const Wedge2& wedge, LitWedge
 double WedgeLighting2::angle_to_axis(PieceSideId side, const Vector2& axis, double& doubt) const {
   const Segment2 piece = arrangement_.turned_piece(side);
   const Vector2 along = rounded(frame_.direction(piece.a, piece.b));
-  doubt += 9 * kUnit * std::numbers::pi;
+  doubt += 9 * kUnitRoundoff * std::numbers::pi;
   const double angle = same_bits::atan2(-cross(along, axis), -dot(along, axis));
   return angle < -std::numbers::pi / 2 ? angle + 2 * std::numbers::pi : angle;
 }

@@ -16,9 +16,6 @@
 namespace hottel {
 namespace {
 
-Point2 minus(const Point2& p, const Point2& q) { return {p.x - q.x, p.y - q.y}; }
-Rational cross(const Point2& a, const Point2& b) { return a.x * b.y - a.y * b.x; }
-
 // The parts of the way along each edge that belong to its faces, by face number, ascending.
 std::vector<std::vector<EdgeSpan2>> owned_spans(const PreparedScene2& prepared) {
   const Arrangement2& arrangement = prepared.arrangement;

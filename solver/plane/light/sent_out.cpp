@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "kernel/doubles.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -37,7 +38,6 @@ constexpr std::size_t kLookedAt = 4;  // entries, before it is asked whether the
 // Sums are between the least and the largest that is seen if they are so for those that are looked at first.
 template <std::size_t kChannels>
 void SentOut2::keep_within(const LightRow2& row, std::size_t channel, std::array<double, kChannels>& sum) const {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::array<double, kChannels> least, most;
   least.fill(row.sees_black ? 0 : kInfinity);
   most.fill(row.sees_black ? 0 : -kInfinity);

@@ -17,8 +17,6 @@
 namespace hottel {
 namespace {
 
-Point2 minus(const Point2& p, const Point2& q) { return {p.x - q.x, p.y - q.y}; }
-
 // A light that tests points.
 class Tester {
  public:

@@ -13,6 +13,7 @@
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "geometry/plane/prepared/element_table.h"
 #include "geometry/plane/prepared/prepared_scene.h"
+#include "kernel/doubles.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/plane/methods/arithmetic_cgal.h"
@@ -23,7 +24,6 @@
 namespace hottel {
 namespace {
 
-constexpr double kHalfUlp = 0x1p-53;
 constexpr double kConversion = 0x1p12;  // more than the error of a fixed-point number below 2^63 in doubles
 constexpr std::array<const char*, 5> kNames{"naive", "doubles", "bounds", "rounded", "cgal"};
 
@@ -238,8 +238,8 @@ std::optional<double> Arithmetic2::declared_error(const PreparedScene2& prepared
   };
   if (arithmetic_ == ArithmeticKind2::kBounds)
     return of_quotient(0x1p-48, scale->terms * scale->length_error + scale->conversion);
-  const double of_length = 8 * kHalfUlp * scale->longest + 4 * scale->approximation;
-  return of_quotient(4 * kHalfUlp, scale->terms * (of_length + scale->terms * kHalfUlp * scale->longest));
+  const double of_length = 8 * kUnitRoundoff * scale->longest + 4 * scale->approximation;
+  return of_quotient(4 * kUnitRoundoff, scale->terms * (of_length + scale->terms * kUnitRoundoff * scale->longest));
 }
 
 }  // namespace

@@ -16,11 +16,11 @@
 namespace hottel {
 namespace {
 
-constexpr const char* kReference = "midpoint rule on both elements; Heckbert 1992";
+constexpr const char* kCenterReference = "midpoint rule on both elements; Heckbert 1992";
 
 class Center2 final : public PairMethod2 {
  public:
-  Center2() : PairMethod2({"center", "center", 0, Guarantee::kEstimated, kReference}) {}
+  Center2() : PairMethod2({"center", "center", 0, Guarantee::kEstimated, kCenterReference}) {}
 
  protected:
   Pairs pairs(const PreparedScene2& prepared, const ElementGeometry2& geometry) const override {
@@ -46,7 +46,7 @@ MethodFamily2 center_family_2() {
   return {.name = "center",
           .pattern = "center",
           .what = "centre to centre, times the visibility of that one segment",
-          .reference = kReference,
+          .reference = kCenterReference,
           .guarantee = Guarantee::kEstimated,
           .sweep = {"center"},
           .make = [](std::string_view variant) -> std::unique_ptr<ExchangeMethod2> {

@@ -22,11 +22,11 @@ namespace hottel {
 namespace {
 
 constexpr std::string_view kInverseSquare = ":inverse-square=";
-constexpr const char* kReference = "midpoint rule on both elements, exact visibility; Heckbert 1992";
+constexpr const char* kCenterVisReference = "midpoint rule on both elements, exact visibility; Heckbert 1992";
 
 class CenterVis2 final : public PairMethod2 {
  public:
-  CenterVis2() : PairMethod2({"center-vis", "center-vis", 0, Guarantee::kEstimated, kReference}) {}
+  CenterVis2() : PairMethod2({"center-vis", "center-vis", 0, Guarantee::kEstimated, kCenterVisReference}) {}
 
  protected:
   Pairs pairs(const PreparedScene2& prepared, const ElementGeometry2& geometry) const override {
@@ -80,7 +80,7 @@ class InverseSquare2 final : public PairMethod2 {
   Rational constant_;
 };
 
-std::unique_ptr<ExchangeMethod2> make(std::string_view variant) {
+std::unique_ptr<ExchangeMethod2> make_center_vis(std::string_view variant) {
   if (variant.empty()) return std::make_unique<CenterVis2>();
   if (variant.starts_with(kInverseSquare))
     if (const auto constant = parse_rational(variant.substr(kInverseSquare.size())); constant && *constant >= 0)
@@ -95,10 +95,10 @@ MethodFamily2 center_vis_family_2() {
   return {.name = "center-vis",
           .pattern = "center-vis[:inverse-square=K]",
           .what = "centre to centre, times the exact partial visibility",
-          .reference = kReference,
+          .reference = kCenterVisReference,
           .guarantee = Guarantee::kEstimated,
           .sweep = {"center-vis", "center-vis:inverse-square=1"},
-          .make = make};
+          .make = make_center_vis};
 }
 
 }  // namespace hottel

@@ -18,12 +18,13 @@ namespace hottel {
 namespace {
 
 constexpr int kMostPoints = 1024;
-constexpr const char* kReference = "Gauss-Legendre quadrature; Trefethen 2013, chapter 19";
+constexpr const char* kGaussReference = "Gauss-Legendre quadrature; Trefethen 2013, chapter 19";
 
 class Gauss2 final : public PairMethod2 {
  public:
   explicit Gauss2(int n)
-      : PairMethod2({"gauss:" + std::to_string(n), "gauss", static_cast<double>(n), Guarantee::kEstimated, kReference}),
+      : PairMethod2(
+            {"gauss:" + std::to_string(n), "gauss", static_cast<double>(n), Guarantee::kEstimated, kGaussReference}),
         n_(n),
         rule_(gauss_rule(n)) {}
 
@@ -69,7 +70,7 @@ class Gauss2 final : public PairMethod2 {
   GaussRule rule_;
 };
 
-std::unique_ptr<ExchangeMethod2> make(std::string_view variant) {
+std::unique_ptr<ExchangeMethod2> make_gauss(std::string_view variant) {
   return std::make_unique<Gauss2>(count_of_variant("gauss", variant, kMostPoints));
 }
 
@@ -79,10 +80,10 @@ MethodFamily2 gauss_family_2() {
   return {.name = "gauss",
           .pattern = "gauss:n",
           .what = "n Gauss points on each element, visibility of each pair of points",
-          .reference = kReference,
+          .reference = kGaussReference,
           .guarantee = Guarantee::kEstimated,
           .sweep = {"gauss:1", "gauss:2", "gauss:4", "gauss:8", "gauss:16"},
-          .make = make};
+          .make = make_gauss};
 }
 
 }  // namespace hottel

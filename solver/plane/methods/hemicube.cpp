@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint32_t kMostPixels = 1u << 20;
 constexpr double kApart = 0x1p-16;
-constexpr const char* kReference = "Cohen and Greenberg 1985";
+constexpr const char* kHemicubeReference = "Cohen and Greenberg 1985";
 
 // The scene as seen from the centre of a run: x along it, y over its front.
 class CentreFrame {
@@ -85,7 +85,7 @@ class Hemicube2 final : public ElementMethod2 {
     info_.name = fmt::format("hemicube:{}{}", options.resolution, uniform);
     info_.family = fmt::format("hemicube{}", uniform);
     info_.parameter = options.resolution;
-    info_.reference = kReference;
+    info_.reference = kHemicubeReference;
   }
   const MethodInfo& info() const override { return info_; }
   std::optional<double> declared_error(const PreparedScene2& prepared) const override;
@@ -177,7 +177,7 @@ std::optional<double> Hemicube2::declared_error(const PreparedScene2& prepared) 
   return are_apart(prepared.arrangement, geometry, tree) ? std::optional(largest) : std::nullopt;
 }
 
-std::unique_ptr<ExchangeMethod2> make(std::string_view variant) {
+std::unique_ptr<ExchangeMethod2> make_hemicube(std::string_view variant) {
   HemicubeOptions2 options;
   std::string_view text = variant;
   constexpr std::string_view kUniform = ":uniform";
@@ -209,10 +209,10 @@ MethodFamily2 hemicube_family_2() {
   return {.name = "hemicube",
           .pattern = "hemicube:R[:uniform]",
           .what = "an item buffer of 2 R pixels about each element's centre",
-          .reference = kReference,
+          .reference = kHemicubeReference,
           .guarantee = Guarantee::kEstimated,
           .sweep = std::move(sweep),
-          .make = make};
+          .make = make_hemicube};
 }
 
 }  // namespace hottel

@@ -7,13 +7,13 @@
 
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/exchange/unobstructed.h"
+#include "kernel/doubles.h"
 #include "solver/plane/methods/open_space.h"
 
 namespace hottel {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::infinity();
-constexpr double kHalfUlp = 0x1p-53;
 
 }  // namespace
 
@@ -69,7 +69,7 @@ ExchangeMethod2::ClaimedErrors PairMethod2::claimed_errors(const PreparedScene2&
     // What the sky gets is off by no more than all the others together, and by the roundings of their sum and its rest.
     double error = 0;
     for (std::uint32_t other = 0; other < known->geometry.count(); ++other)
-      if (const double of_other = of_pair(from, other); of_other > 0) error += of_other + 2 * kHalfUlp;
+      if (const double of_other = of_pair(from, other); of_other > 0) error += of_other + 2 * kUnitRoundoff;
     return error;
   };
 }

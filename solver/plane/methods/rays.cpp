@@ -22,7 +22,7 @@
 namespace hottel {
 namespace {
 
-constexpr const char* kReference = "Howell 1998; Owen 1997";
+constexpr const char* kRaysReference = "Howell 1998; Owen 1997";
 constexpr double kChance = 5.7e-7;  // beyond five standard deviations
 
 // The pieces of an element from its first to its second end: from where rays may start.
@@ -74,7 +74,7 @@ class RayStarts {
 
 class Rays2 final : public ElementMethod2 {
  public:
-  explicit Rays2(const RayOptions& options) : options_(options), info_(ray_method_info(options, kReference)) {}
+  explicit Rays2(const RayOptions& options) : options_(options), info_(ray_method_info(options, kRaysReference)) {}
   const MethodInfo& info() const override { return info_; }
   std::optional<double> declared_error(const PreparedScene2& prepared) const override;
   ExchangeMatrix compute_elements(const PreparedScene2& prepared, const std::function<void(double)>& progress,
@@ -145,7 +145,7 @@ MethodFamily2 rays_family_2() {
   return {.name = "rays",
           .pattern = kRaysPattern,
           .what = "N random rays from each element, first hit",
-          .reference = kReference,
+          .reference = kRaysReference,
           .guarantee = Guarantee::kEstimated,
           .sweep = rays_sweep(),
           .make = [](std::string_view variant) { return rays_method_2(ray_options(variant)); }};

@@ -16,7 +16,7 @@
 namespace hottel {
 namespace {
 
-constexpr const char* kReference = "crossed strings; Hottel and Sarofim 1967";
+constexpr const char* kStringsReference = "crossed strings; Hottel and Sarofim 1967";
 
 // The part of a run that lies before the front of another.
 struct Part {
@@ -50,7 +50,7 @@ double crossed_strings(const Vertices2& vertices, const ElementRun2& a, const El
 
 class Strings2 final : public PairMethod2 {
  public:
-  Strings2() : PairMethod2({"strings", "strings", 0, Guarantee::kEstimated, kReference}) {}
+  Strings2() : PairMethod2({"strings", "strings", 0, Guarantee::kEstimated, kStringsReference}) {}
 
  protected:
   Pairs pairs(const PreparedScene2& prepared, const ElementGeometry2& geometry) const override {
@@ -79,7 +79,7 @@ MethodFamily2 strings_family_2() {
   return {.name = "strings",
           .pattern = "strings",
           .what = "crossed strings of the pair alone, times the visibility of the centres",
-          .reference = kReference,
+          .reference = kStringsReference,
           .guarantee = Guarantee::kEstimated,
           .sweep = {"strings"},
           .make = [](std::string_view variant) -> std::unique_ptr<ExchangeMethod2> {

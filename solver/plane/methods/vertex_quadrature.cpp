@@ -24,13 +24,13 @@
 namespace hottel {
 namespace {
 
-constexpr const char* kReference = "trapezoid rule on both elements, visibility 0 or 1";
+constexpr const char* kVertexQuadratureReference = "trapezoid rule on both elements, visibility 0 or 1";
 
 class VertexQuadrature2 final : public PairMethod2 {
  public:
   explicit VertexQuadrature2(const VertexVariant& variant)
-      : PairMethod2(
-            {"vertices" + variant.suffix(), "vertices" + variant.suffix(), 0, Guarantee::kEstimated, kReference}),
+      : PairMethod2({"vertices" + variant.suffix(), "vertices" + variant.suffix(), 0, Guarantee::kEstimated,
+                     kVertexQuadratureReference}),
         variant_(variant) {}
 
  protected:
@@ -74,7 +74,7 @@ MethodFamily2 vertex_quadrature_family_2() {
   return {.name = "vertices",
           .pattern = "vertices[:literal][:centroid]",
           .what = "ends to ends, times a visibility of 0 or 1",
-          .reference = kReference,
+          .reference = kVertexQuadratureReference,
           .guarantee = Guarantee::kEstimated,
           .sweep = {"vertices:centroid", "vertices", "vertices:literal:centroid", "vertices:literal"},
           .make = [](std::string_view variant) -> std::unique_ptr<ExchangeMethod2> {

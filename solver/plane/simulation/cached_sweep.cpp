@@ -9,7 +9,7 @@ namespace hottel {
 namespace {
 
 // Another one wherever sums of the same scene are others, or are kept otherwise, than before.
-constexpr const char* kKind = "plane sweep 1";
+constexpr const char* kSweepKind = "plane sweep 1";
 
 // Numbers by 7 bits a byte.
 void put(std::string& out, UInt128 value) {
@@ -97,7 +97,7 @@ std::optional<SweptPart2> swept_part_2(std::string_view bytes, std::uint64_t ord
 
 CachedSweep2::CachedSweep2(FactorStore& store, const PreparedScene2& prepared, const StoreTable& factors)
     : store_(store), prepared_(prepared), table_{{}, factors.about + ", begun", factors.elements} {
-  StoreKey key(kKind);
+  StoreKey key(kSweepKind);
   key.add(factors.key);
   key.add_division(prepared.scene);
   key.add_elements(factors.elements);

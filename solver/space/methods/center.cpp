@@ -12,11 +12,11 @@
 namespace hottel {
 namespace {
 
-constexpr const char* kReference = "midpoint rule on both elements; Davis and Rabinowitz 1984";
+constexpr const char* kCenterReference = "midpoint rule on both elements; Davis and Rabinowitz 1984";
 
 class Center3 final : public PairMethod3 {
  public:
-  Center3() : PairMethod3({"center", "center", 0, Guarantee::kEstimated, kReference}, PatchRule3{.degree = 1}) {}
+  Center3() : PairMethod3({"center", "center", 0, Guarantee::kEstimated, kCenterReference}, PatchRule3{.degree = 1}) {}
 
  protected:
   PairsOfElements pairs(const Setting& setting) const override {
@@ -38,7 +38,7 @@ MethodFamily3 center_family_3() {
   return {.name = "center",
           .pattern = "center",
           .what = "centre to centre, times the visibility of that one segment",
-          .reference = kReference,
+          .reference = kCenterReference,
           .guarantee = Guarantee::kEstimated,
           .sweep = {"center"},
           .make = [](std::string_view variant) -> std::unique_ptr<ExchangeMethod3> {

@@ -12,12 +12,14 @@
 namespace hottel {
 namespace {
 
-constexpr const char* kReference = "midpoint rule on both elements, exact visibility; Davis and Rabinowitz 1984";
+constexpr const char* kCenterVisReference =
+    "midpoint rule on both elements, exact visibility; Davis and Rabinowitz 1984";
 
 class CenterVis3 final : public PairMethod3 {
  public:
   CenterVis3()
-      : PairMethod3({"center-vis", "center-vis", 0, Guarantee::kEstimated, kReference}, PatchRule3{.degree = 1}) {}
+      : PairMethod3({"center-vis", "center-vis", 0, Guarantee::kEstimated, kCenterVisReference},
+                    PatchRule3{.degree = 1}) {}
 
  protected:
   PairsOfElements pairs(const Setting& setting) const override {
@@ -38,7 +40,7 @@ MethodFamily3 center_vis_family_3() {
   return {.name = "center-vis",
           .pattern = "center-vis",
           .what = "centre to centre, times the exact partial visibility",
-          .reference = kReference,
+          .reference = kCenterVisReference,
           .guarantee = Guarantee::kEstimated,
           .sweep = {"center-vis"},
           .make = [](std::string_view variant) -> std::unique_ptr<ExchangeMethod3> {

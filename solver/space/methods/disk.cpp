@@ -12,11 +12,11 @@
 namespace hottel {
 namespace {
 
-constexpr const char* kReference = "a disk for each receiver; Wallace, Elmquist and Haines 1989";
+constexpr const char* kDiskReference = "a disk for each receiver; Wallace, Elmquist and Haines 1989";
 
 class Disk3 final : public PairMethod3 {
  public:
-  Disk3() : PairMethod3({"disk", "disk", 0, Guarantee::kEstimated, kReference}) {}
+  Disk3() : PairMethod3({"disk", "disk", 0, Guarantee::kEstimated, kDiskReference}) {}
 
  protected:
   PairsOfElements pairs(const Setting& setting) const override {
@@ -41,7 +41,7 @@ MethodFamily3 disk_family_3() {
   return {.name = "disk",
           .pattern = "disk",
           .what = "centre to a disk of the same area, times the visibility of that one segment",
-          .reference = kReference,
+          .reference = kDiskReference,
           .guarantee = Guarantee::kEstimated,
           .sweep = {"disk"},
           .make = [](std::string_view variant) -> std::unique_ptr<ExchangeMethod3> {

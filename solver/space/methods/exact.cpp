@@ -9,7 +9,7 @@
 namespace hottel {
 namespace {
 
-constexpr const char* kReference = "docs/design/space/pair_integrator.md";
+constexpr const char* kExactReference = "docs/design/space/pair_integrator.md";
 
 class Exact3 final : public ExchangeMethod3 {
  public:
@@ -32,7 +32,7 @@ class Exact3 final : public ExchangeMethod3 {
   }
 
  private:
-  MethodInfo info_{"exact", "exact", 0, Guarantee::kEstimated, kReference};
+  MethodInfo info_{"exact", "exact", 0, Guarantee::kEstimated, kExactReference};
 };
 
 }  // namespace
@@ -41,7 +41,7 @@ MethodFamily3 exact_family_3() {
   return {.name = "exact",
           .pattern = "exact",
           .what = "integrals along edges between exact events, to the tolerance",
-          .reference = kReference,
+          .reference = kExactReference,
           .guarantee = Guarantee::kEstimated,
           .sweep = {"exact"},
           .make = [](std::string_view variant) -> std::unique_ptr<ExchangeMethod3> {

@@ -15,14 +15,15 @@
 namespace hottel {
 namespace {
 
-constexpr int kMostPoints = 64;
-constexpr const char* kReference = "Gauss-Legendre quadrature; Trefethen 2013, chapter 19";
+constexpr int kMostGaussPoints = 64;
+constexpr const char* kGaussReference = "Gauss-Legendre quadrature; Trefethen 2013, chapter 19";
 
 class Gauss3 final : public PairMethod3 {
  public:
   explicit Gauss3(int n)
-      : PairMethod3({"gauss:" + std::to_string(n), "gauss", static_cast<double>(n), Guarantee::kEstimated, kReference},
-                    PatchRule3{.degree = 2 * n - 2}),
+      : PairMethod3(
+            {"gauss:" + std::to_string(n), "gauss", static_cast<double>(n), Guarantee::kEstimated, kGaussReference},
+            PatchRule3{.degree = 2 * n - 2}),
         rule_(gauss_rule(n)) {}
 
  protected:
@@ -57,11 +58,11 @@ MethodFamily3 gauss_family_3() {
   return {.name = "gauss",
           .pattern = "gauss:n",
           .what = "n x n Gauss points on each element, visibility of each pair of points",
-          .reference = kReference,
+          .reference = kGaussReference,
           .guarantee = Guarantee::kEstimated,
           .sweep = {"gauss:1", "gauss:2", "gauss:3", "gauss:4", "gauss:6"},
           .make = [](std::string_view variant) -> std::unique_ptr<ExchangeMethod3> {
-            return std::make_unique<Gauss3>(count_of_variant("gauss", variant, kMostPoints));
+            return std::make_unique<Gauss3>(count_of_variant("gauss", variant, kMostGaussPoints));
           }};
 }
 

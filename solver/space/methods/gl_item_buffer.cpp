@@ -86,9 +86,9 @@ struct OpenGl {
 };
 
 // A context without a surface. What is made in it goes with it.
-class Context {
+class GlContext {
  public:
-  Context() {
+  GlContext() {
     display_ = display();
     if (display_ == EGL_NO_DISPLAY || eglInitialize(display_, nullptr, nullptr) == EGL_FALSE) refuse("no display");
     constexpr EGLint kConfig[] = {EGL_SURFACE_TYPE, EGL_DONT_CARE, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
@@ -104,9 +104,9 @@ class Context {
     if (context_ == EGL_NO_CONTEXT) refuse("no context of that version");
   }
   // The display is not terminated: it is one for all contexts of the process.
-  ~Context() { eglDestroyContext(display_, context_); }
-  Context(const Context&) = delete;
-  Context& operator=(const Context&) = delete;
+  ~GlContext() { eglDestroyContext(display_, context_); }
+  GlContext(const GlContext&) = delete;
+  GlContext& operator=(const GlContext&) = delete;
 
   void enter() const {
     eglBindAPI(EGL_OPENGL_API);  // by thread
@@ -130,13 +130,13 @@ class Context {
 // While it lives this thread draws in the context.
 class Entered {
  public:
-  explicit Entered(const Context& context) : context_(context) { context.enter(); }
+  explicit Entered(const GlContext& context) : context_(context) { context.enter(); }
   ~Entered() { context_.leave(); }
   Entered(const Entered&) = delete;
   Entered& operator=(const Entered&) = delete;
 
  private:
-  const Context& context_;
+  const GlContext& context_;
 };
 
 struct Corner {
@@ -239,7 +239,7 @@ class GlItemBuffer3 final : public ItemBuffer3 {
     if (gl_.GetError() != GL_NO_ERROR) refuse("it reports an error");
   }
 
-  Context context_;
+  GlContext context_;
   OpenGl gl_;
   GLsizei resolution_;
   GLint nearest_ = -1;

@@ -26,7 +26,7 @@ namespace hottel {
 namespace {
 
 constexpr std::uint32_t kMostPixels = 4096;
-constexpr const char* kReference = "Cohen and Greenberg 1985";
+constexpr const char* kHemicubeReference = "Cohen and Greenberg 1985";
 constexpr std::string_view kUniform = ":uniform", kEgl = ":egl";
 
 class Hemicube3 final : public ElementMethod3 {
@@ -37,7 +37,7 @@ class Hemicube3 final : public ElementMethod3 {
     info_.name = fmt::format("hemicube:{}{}", options.resolution, variant);
     info_.family = "hemicube" + variant;
     info_.parameter = options.resolution;
-    info_.reference = kReference;
+    info_.reference = kHemicubeReference;
   }
   const MethodInfo& info() const override { return info_; }
 
@@ -139,7 +139,7 @@ MethodFamily3 hemicube_family_3() {
       .name = "hemicube",
       .pattern = "hemicube:R[:uniform][:egl]",
       .what = "an item buffer of R pixels on the long edges about each centre",
-      .reference = kReference,
+      .reference = kHemicubeReference,
       .guarantee = Guarantee::kEstimated,
       .sweep = {"hemicube:32", "hemicube:64", "hemicube:128", "hemicube:256", "hemicube:512", "hemicube:128:uniform"},
       .make = make};

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kMostPoints = 64;
 constexpr double kClosed = 5e-15;  // of the sky, by roundings, where none is seen (visibility_map.h)
-constexpr const char* kReference = "Gauss-Legendre quadrature; Trefethen 2013, chapter 19";
+constexpr const char* kPointsReference = "Gauss-Legendre quadrature; Trefethen 2013, chapter 19";
 
 Direction3 direction_of(const Vector3d& way) { return unit({way.x, way.y, way.z}); }
 
@@ -62,7 +62,7 @@ void add_share(const Vector3d& eye, const Direction3& normal, const VisibilityMa
 class Points3 final : public ElementMethod3 {
  public:
   explicit Points3(int n)
-      : info_{"points:" + std::to_string(n), "points", static_cast<double>(n), Guarantee::kEstimated, kReference},
+      : info_{"points:" + std::to_string(n), "points", static_cast<double>(n), Guarantee::kEstimated, kPointsReference},
         rule_(gauss_rule(n)) {}
   const MethodInfo& info() const override { return info_; }
   // Proven of elements that see each other wholly (quadrature_claims.h).
@@ -132,7 +132,7 @@ MethodFamily3 points_family_3() {
   return {.name = "points",
           .pattern = "points:n",
           .what = "exact factors from n x n Gauss points of each element",
-          .reference = kReference,
+          .reference = kPointsReference,
           .guarantee = Guarantee::kEstimated,
           .sweep = {"points:1", "points:2", "points:3", "points:4", "points:6", "points:8"},
           .make = [](std::string_view variant) -> std::unique_ptr<ExchangeMethod3> {

@@ -25,7 +25,7 @@
 namespace hottel {
 namespace {
 
-constexpr const char* kReference = "Howell 1998; Owen 1997; Wald 2014";
+constexpr const char* kRaysReference = "Howell 1998; Owen 1997; Wald 2014";
 constexpr double kChance = 5.7e-7;                           // beyond five standard deviations
 constexpr double kSinglePrecision = 1e-4;                    // allowed for what Embree's numbers shift; an estimate
 constexpr std::uint64_t kOtherSeed = 0x6a09e667f3bcc909ull;  // of places, beside that of directions
@@ -75,7 +75,7 @@ std::uint32_t element_at(std::span<const SidePart3> side, const Vector3d& place,
 
 class Rays3 final : public ElementMethod3 {
  public:
-  explicit Rays3(const RayOptions& options) : options_(options), info_(ray_method_info(options, kReference)) {}
+  explicit Rays3(const RayOptions& options) : options_(options), info_(ray_method_info(options, kRaysReference)) {}
   const MethodInfo& info() const override { return info_; }
   std::optional<double> declared_error(const PreparedScene3& prepared) const override;
 
@@ -184,7 +184,7 @@ MethodFamily3 rays_family_3() {
   return {.name = "rays",
           .pattern = kRaysPattern,
           .what = "N random rays from each element, first hit, by Embree",
-          .reference = kReference,
+          .reference = kRaysReference,
           .guarantee = Guarantee::kEstimated,
           .sweep = rays_sweep(),
           .make = [](std::string_view variant) { return rays_method_3(ray_options(variant)); }};

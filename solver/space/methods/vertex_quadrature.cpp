@@ -19,13 +19,13 @@
 namespace hottel {
 namespace {
 
-constexpr const char* kReference = "trapezoid rule on both elements, visibility 0 or 1";
+constexpr const char* kVertexQuadratureReference = "trapezoid rule on both elements, visibility 0 or 1";
 
 class VertexQuadrature3 final : public PairMethod3 {
  public:
   explicit VertexQuadrature3(const VertexVariant& variant)
-      : PairMethod3(
-            {"vertices" + variant.suffix(), "vertices" + variant.suffix(), 0, Guarantee::kEstimated, kReference}),
+      : PairMethod3({"vertices" + variant.suffix(), "vertices" + variant.suffix(), 0, Guarantee::kEstimated,
+                     kVertexQuadratureReference}),
         variant_(variant) {}
 
  protected:
@@ -61,7 +61,7 @@ MethodFamily3 vertex_quadrature_family_3() {
   return {.name = "vertices",
           .pattern = "vertices[:literal][:centroid]",
           .what = "mean over pairs of corners, visibility 0 or 1, near pairs dropped",
-          .reference = kReference,
+          .reference = kVertexQuadratureReference,
           .guarantee = Guarantee::kEstimated,
           .sweep = {"vertices:centroid", "vertices:literal:centroid", "vertices", "vertices:literal"},
           .make = [](std::string_view variant) -> std::unique_ptr<ExchangeMethod3> {

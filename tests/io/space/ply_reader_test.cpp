@@ -114,8 +114,8 @@ TEST(PlyReader, BinaryFloatsAreWhatTheyAre) {
 }
 
 TEST(PlyReader, RefusesWhatIsNotFinite) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  for (const float x : {std::nanf(""), kInfinity, -kInfinity}) {
+  constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
+  for (const float x : {std::nanf(""), kFloatInfinity, -kFloatInfinity}) {
     EXPECT_THAT(refusal(binary_with(x)), HasSubstr("in/room.ply: x of vertex 1 of 3 is not finite (byte "));
     EXPECT_THAT(refusal(binary_with(static_cast<double>(x))), HasSubstr("x of vertex 1 of 3 is not finite (byte "));
   }
