@@ -67,7 +67,7 @@ TEST(Ranks, GiveTheFilesOfOneProcess) {
   }
 }
 
-TEST(Ranks, GiveTheFilesOfOneProcessOnManyScenes) {
+TEST(RanksOnManyScenes, GiveTheFilesOfOneProcess) {
   for (const std::string scene :
        {"analytic/circles_equal_16.json", "analytic/strip_obstructed.json", "analytic/wedge_30deg.json",
         "analytic/patch_on_strip.json", "degenerate/blockers_on_one_bitangent.json", "degenerate/kettner_b2.json",
