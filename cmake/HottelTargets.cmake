@@ -11,12 +11,19 @@ function(hottel_compile_options target)
   target_compile_options(${target} PRIVATE -ffp-contract=off)
 endfunction()
 
-# hottel_precompile(TARGET HEADERS...): these headers, of libraries that most sources of the target include, are read
-# once. Sources include what they use all the same: builds without HOTTEL_BATCHES see to that.
+# hottel_precompile(TARGET HEADERS...): these headers, of libraries that most sources of the target include, are read once.
+# hottel_precompile(TARGET WITH OTHER): those of another target, which has the same compiler options, are read once for both.
+# Sources include what they use all the same: builds without HOTTEL_BATCHES see to that.
 function(hottel_precompile target)
-  if(HOTTEL_BATCHES)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "WITH" "")
+  if(NOT HOTTEL_BATCHES)
+    return()
+  endif()
+  if(arg_WITH)
+    target_precompile_headers(${target} REUSE_FROM ${arg_WITH})
+  else()
     target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional>
-                              <set> <span> <string> <string_view> <variant> <vector> ${ARGN})
+                              <set> <span> <string> <string_view> <variant> <vector> ${arg_UNPARSED_ARGUMENTS})
   endif()
 endfunction()
 
@@ -40,13 +47,15 @@ function(hottel_batch target)
     set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${name}")
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # A class may have members of a source's local types, which g++ sees only of sources that are not included.
+  target_compile_options(${target} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>")
 endfunction()
 
-# hottel_layer(NAME [BATCHED] PUBLIC libs... PRIVATE libs... EXCEPT sources...): the folder NAME/, but for these sources, as
-# the library hottel_NAME. Layers that decide about numbers are compiled source by source: what a name means there
-# depends on no neighbour.
+# hottel_layer(NAME PUBLIC libs... PRIVATE libs... EXCEPT sources... ALONE folders...): the folder NAME/, but for these
+# sources, as the library hottel_NAME. It is compiled in batches, but for these folders and for sources that have compiler
+# options of their own.
 function(hottel_layer name)
-  cmake_parse_arguments(arg "BATCHED" "" "PUBLIC;PRIVATE;EXCEPT" ${ARGN})
+  cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE;EXCEPT;ALONE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${name}/*.cpp")
   list(TRANSFORM arg_EXCEPT PREPEND "${PROJECT_SOURCE_DIR}/")
   list(REMOVE_ITEM sources ${arg_EXCEPT})
@@ -58,9 +67,11 @@ function(hottel_layer name)
       target_compile_options(hottel_${name} PRIVATE -fno-semantic-interposition)  # as fast as without
     endif()
     hottel_precompile(hottel_${name} <gmpxx.h>)
-    if(arg_BATCHED)
-      hottel_batch(hottel_${name} ${sources})
-    endif()
+    set(batched ${sources})
+    foreach(folder IN LISTS arg_ALONE)
+      list(FILTER batched EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/${name}/${folder}/")
+    endforeach()
+    hottel_batch(hottel_${name} ${batched})
     target_include_directories(hottel_${name} PUBLIC
       "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/hottel>")
     target_compile_features(hottel_${name} PUBLIC cxx_std_20)
