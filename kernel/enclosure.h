@@ -2,8 +2,7 @@
 #pragma once
 
 #include <cmath>
-
-#include "kernel/doubles.h"
+#include <limits>
 
 namespace hottel {
 
@@ -44,11 +43,12 @@ struct Enclosure {
 //
 //   (1) the ends are not below 0; to add zero ({0, 0}) changes nothing
 inline Enclosure sum_of_nonnegative(const Enclosure& a, const Enclosure& b) {
+  constexpr double kBeyond = std::numeric_limits<double>::infinity();
   const auto add = [](double x, double y, double outward) {
     return x == 0 ? y : y == 0 ? x : std::nextafter(x + y, outward);
   };
-  const double lower = add(a.lower, b.lower, -kInfinity);
-  return {lower > 0 ? lower : 0, add(a.upper, b.upper, kInfinity)};
+  const double lower = add(a.lower, b.lower, -kBeyond);
+  return {lower > 0 ? lower : 0, add(a.upper, b.upper, kBeyond)};
 }
 
 // A real number, correctly rounded, with the knowledge on which side of the double it lies.
@@ -61,7 +61,8 @@ struct Rounded {
   signed char side = 0;
 
   Enclosure enclosure() const {
-    return {side < 0 ? std::nextafter(value, -kInfinity) : value, side > 0 ? std::nextafter(value, kInfinity) : value};
+    constexpr double kBeyond = std::numeric_limits<double>::infinity();
+    return {side < 0 ? std::nextafter(value, -kBeyond) : value, side > 0 ? std::nextafter(value, kBeyond) : value};
   }
   friend bool operator==(const Rounded&, const Rounded&) = default;
 };
