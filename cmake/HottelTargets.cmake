@@ -49,6 +49,8 @@ function(hottel_batch target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   # A class may have members of a source's local types, which g++ sees only of sources that are not included.
   target_compile_options(${target} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>")
+  # A name in a function may be a local one of a neighbour too, which clang tells.
+  target_compile_options(${target} PRIVATE "$<$<CXX_COMPILER_ID:Clang>:-Wno-shadow>")
 endfunction()
 
 # hottel_layer(NAME PUBLIC libs... PRIVATE libs... EXCEPT sources... ALONE folders...): the folder NAME/, but for these

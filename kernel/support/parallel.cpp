@@ -7,7 +7,7 @@
 namespace hottel {
 namespace {
 
-thread_local int share = 0;  // of the threads, for loops of this one; 0: all that are allowed
+thread_local int own_share = 0;  // of the threads, for loops of this one; 0: all that are allowed
 
 }  // namespace
 }  // namespace hottel
@@ -48,10 +48,10 @@ void run_ranges(std::size_t n, std::size_t grain, const void* function, RangeFun
         },
         context);
   };
-  if (share == 0) return loop();
+  if (own_share == 0) return loop();
   // An arena for this loop alone, in which the caller has a place of its own: it waits for nobody. Loops within run
   // there too.
-  tbb::task_arena arena(share, 1);
+  tbb::task_arena arena(own_share, 1);
   const ThreadShare within(0);
   arena.execute(loop);
 }
@@ -61,7 +61,7 @@ void run_ranges(std::size_t n, std::size_t grain, const void* function, RangeFun
 int threads_allowed() {
   const auto limit = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   const int all = std::min(static_cast<int>(limit), tbb::this_task_arena::max_concurrency());
-  return share == 0 ? all : std::min(share, all);
+  return own_share == 0 ? all : std::min(own_share, all);
 }
 
 }  // namespace hottel
@@ -122,7 +122,7 @@ void run_ranges(std::size_t n, std::size_t grain, const void* function, RangeFun
 
 }  // namespace detail
 
-int threads_allowed() { return share == 0 ? allowed.load() : std::min(share, allowed.load()); }
+int threads_allowed() { return own_share == 0 ? allowed.load() : std::min(own_share, allowed.load()); }
 
 }  // namespace hottel
 
@@ -136,12 +136,12 @@ ThreadLimit::ThreadLimit(int threads) {
 }
 ThreadLimit::~ThreadLimit() = default;
 
-ThreadShare::ThreadShare(int threads) : before_(share) {
+ThreadShare::ThreadShare(int threads) : before_(own_share) {
   HOTTEL_REQUIRE(threads >= 0);
-  share = threads;
+  own_share = threads;
 }
-ThreadShare::~ThreadShare() { share = before_; }
+ThreadShare::~ThreadShare() { own_share = before_; }
 
-int thread_share() { return share; }
+int thread_share() { return own_share; }
 
 }  // namespace hottel
