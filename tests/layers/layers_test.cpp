@@ -171,48 +171,50 @@ std::vector<fs::path> sources_of(const fs::path& object) {
   return sources;
 }
 
+// What nm tells of each object that is made from sources of today, and how many sources these are. One nm for all of
+// them: to start it takes longer than what it does.
+struct ObjectsOfToday {
+  std::size_t sources = 0;
+  std::map<fs::path, std::vector<std::string>> symbols;
+
+  explicit ObjectsOfToday(const std::string& options) {
+    const std::string line = "find '" + (fs::path(HOTTEL_BINARY_DIR) / "CMakeFiles").string() +
+                             "' -name '*.o' -exec nm -A " + options + " {} +";
+    const std::unique_ptr<FILE, int (*)(FILE*)> output(popen(line.c_str(), "r"), pclose);
+    EXPECT_TRUE(output);
+    std::string text;
+    std::array<char, 1 << 16> part;
+    for (std::size_t size = 0; output && (size = std::fread(part.data(), 1, part.size(), output.get())) > 0;)
+      text.append(part.data(), size);
+    std::istringstream lines(text);
+    for (std::string told; std::getline(lines, told);)  // "/.../ball.cpp.o:                 U log"
+      if (const auto end = told.find(".o:"); end != std::string::npos)
+        symbols[told.substr(0, end + 2)].push_back(told.substr(end + 3));
+    std::erase_if(symbols, [this](const auto& object) {
+      const std::size_t count = sources_of(object.first).size();
+      sources += count;
+      return count == 0;
+    });
+  }
+};
+
 TEST(Layers, NamesOfASliceSayTheirDimension) {
   std::size_t names = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(HOTTEL_BINARY_DIR) / "CMakeFiles")) {
-    const fs::path path = entry.path();
-    if (path.extension() != ".o") continue;
-    const std::vector<fs::path> sources = sources_of(path);
-    const std::string slice = sources.empty() ? "" : slice_of(sources.front());
+  for (const auto& [path, symbols] : ObjectsOfToday("--demangle --defined-only --extern-only").symbols) {
+    const std::string slice = slice_of(sources_of(path).front());
     if (slice.empty()) continue;
-    const std::unique_ptr<FILE, int (*)(FILE*)> output(
-        popen(("nm --demangle --defined-only --extern-only '" + path.string() + "'").c_str(), "r"), pclose);
-    ASSERT_TRUE(output);
-    std::string line;
-    for (int c = 0; (c = std::fgetc(output.get())) != EOF;) {
-      if (c != '\n') {
-        line += static_cast<char>(c);
-        continue;
-      }
+    for (const std::string& line : symbols) {
       // "0000000000000000 T hottel::name(...)". Weak symbols are inline functions and templates of any header.
       const bool is_own = line.size() > 19 && std::string("TDBR").find(line[17]) != std::string::npos;
       const std::string symbol = is_own ? line.substr(19) : "";
       names += symbol.starts_with("hottel::");
       EXPECT_TRUE(names_its_dimension(symbol, slice == "plane" ? '2' : '3')) << symbol << " in " << path.filename();
-      line.clear();
     }
   }
   EXPECT_GT(names, 300u);
 }
 
-// What an object takes of libraries in C, as nm tells it: " U log".
-std::vector<std::string> taken_of_c(const fs::path& object) {
-  const std::unique_ptr<FILE, int (*)(FILE*)> output(popen(("nm -u '" + object.string() + "'").c_str(), "r"), pclose);
-  EXPECT_TRUE(output);
-  std::string text;
-  std::array<char, 1 << 16> part;
-  for (std::size_t size = 0; output && (size = std::fread(part.data(), 1, part.size(), output.get())) > 0;)
-    text.append(part.data(), size);
-  std::istringstream lines(text);
-  std::vector<std::string> symbols;
-  for (std::string line; std::getline(lines, line);)
-    if (line.find(" U _Z") == std::string::npos) symbols.push_back(line);  // not of C++
-  return symbols;
-}
+bool is_of_c(const std::string& symbol) { return symbol.find(" U _Z") == std::string::npos; }
 
 // The library's have other last bits on other processors: kernel/plain_functions.h has the same everywhere.
 TEST(Layers, LogarithmsAndAnglesAreOurOwn) {
@@ -220,17 +222,13 @@ TEST(Layers, LogarithmsAndAnglesAreOurOwn) {
       R"re( U (a?(sin|cos|tan)h?|atan2|sincos|exp|expm1|pow|log(2|10|1p)?|[tl]gamma|erfc?)f?(@.*)?$)re");
   // CGAL asks how deep to divide boxes, and Boost where to begin looking for a node of a rule.
   const std::set<std::string> allowed{"meeting_boxes.cpp.o", "gauss_rule.cpp.o"};
-  std::size_t sources = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(HOTTEL_BINARY_DIR) / "CMakeFiles")) {
-    const fs::path path = entry.path();
-    const std::size_t count = path.extension() == ".o" ? sources_of(path).size() : 0;
-    if (count == 0) continue;
-    sources += count;
-    for (const std::string& symbol : taken_of_c(path))
-      EXPECT_FALSE(std::regex_search(symbol, of_library) && !allowed.contains(path.filename().string()))
+  const ObjectsOfToday objects("-u");
+  for (const auto& [path, symbols] : objects.symbols)
+    for (const std::string& symbol : symbols)
+      EXPECT_FALSE(is_of_c(symbol) && std::regex_search(symbol, of_library) &&
+                   !allowed.contains(path.filename().string()))
           << path.filename() << " has" << symbol;
-  }
-  EXPECT_GT(sources, 300u);
+  EXPECT_GT(objects.sources, 300u);
 }
 
 // GMP ends the process by a signal where it is given an infinity, and rounds as it likes: one source asks it.
@@ -240,21 +238,16 @@ TEST(Layers, OneSourceTurnsDoublesIntoExactNumbers) {
   const std::regex conversion(R"re( U __gmp[qz]_(init_)?(set|get|cmp)_d$)re");
   const std::set<std::string> allowed{"exact_double.cpp.o",        "overlay.cpp.o",         "triangulation.cpp.o",
                                       "plane_triangulation.cpp.o", "arithmetic_cgal.cpp.o", "meeting_boxes.cpp.o"};
-  std::size_t sources = 0;
+  const ObjectsOfToday objects("-u");
   bool is_seen = false;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(HOTTEL_BINARY_DIR) / "CMakeFiles")) {
-    const fs::path path = entry.path();
-    const std::size_t count = path.extension() == ".o" ? sources_of(path).size() : 0;
-    if (count == 0) continue;
-    sources += count;
-    for (const std::string& symbol : taken_of_c(path)) {
-      if (!std::regex_search(symbol, conversion)) continue;
+  for (const auto& [path, symbols] : objects.symbols)
+    for (const std::string& symbol : symbols) {
+      if (!is_of_c(symbol) || !std::regex_search(symbol, conversion)) continue;
       is_seen = is_seen || path.filename() == "exact_double.cpp.o";
       EXPECT_TRUE(allowed.contains(path.filename().string()))
           << path.filename() << " has" << symbol << ": kernel/exact_double.h has the answer for every double";
     }
-  }
-  EXPECT_GT(sources, 300u);
+  EXPECT_GT(objects.sources, 300u);
   EXPECT_TRUE(is_seen);
 }
 
