@@ -20,7 +20,7 @@ namespace hottel {
 namespace {
 
 constexpr double kExactByChance = 1e-4;      // of as many rows
-constexpr double kLevelOfLeaky = 0.05;       // what is biased for sure is told where it probably is
+constexpr double kLevelOfLeaky = 0.05;       // at which a method that leaks for sure is called biased
 constexpr std::size_t kFewestToScatter = 4;  // pairs that tell how much a row scatters
 constexpr const char* kAllFactors = "all factors";
 constexpr std::size_t kMostTold = 3;

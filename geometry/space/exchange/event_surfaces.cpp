@@ -9,6 +9,7 @@
 
 #include "geometry/name.h"
 #include "geometry/scene_names.h"
+#include "geometry/space/exchange/face_sight.h"
 #include "geometry/space/pairs/pair_details.h"
 #include "geometry/space/pairs/pair_integrator.h"
 #include "geometry/space/prepared/element_table.h"
@@ -19,8 +20,6 @@
 
 namespace hottel {
 namespace {
-
-constexpr double kRoughly = 0.1;  // of the smaller area: what is seen does not depend on it
 
 // A line of space by its direction and moment, of all multiples one.
 using LineKey = std::array<Rational, 6>;
@@ -65,7 +64,7 @@ class PatchEvents {
     const bool is_turned = to.label < from.label;  // a pair is looked at from the face that comes first
     const PairResult3 found =
         prepared.measurer().measure((is_turned ? to : from).patch, (is_turned ? from : to).patch,
-                                    {.tolerance = kRoughly, .always_along_edges = true}, &details_);
+                                    {.tolerance = kCoarseTolerance, .always_along_edges = true}, &details_);
     if (found.is_undecided) problem_ = found.problem;
   }
 

@@ -18,8 +18,6 @@
 namespace hottel {
 namespace {
 
-constexpr double kCoarse = 0.1;  // of the smaller area: what is seen does not depend on it
-
 class FaceSights {
  public:
   FaceSights(const PreparedScene3& prepared, const Face& face)
@@ -44,7 +42,7 @@ class FaceSights {
 
   void add(const ElementTable3::Part& i, const ElementTable3::Part& j, SeenFace3& sight) const {
     if (!j.patch.is_sky() && i.patch.surface == j.patch.surface) return;
-    const PairResult3 found = prepared_.measurer().measure(i.patch, j.patch, {.tolerance = kCoarse});
+    const PairResult3 found = prepared_.measurer().measure(i.patch, j.patch, {.tolerance = kCoarseTolerance});
     if (found.is_undecided)
       throw RequestError("whether " + quoted_name(face_name(prepared_.scene, face_)) + " sees " +
                          (j.patch.is_sky() ? "the sky" : quoted_name(table_.elements()[j.label].name)) +

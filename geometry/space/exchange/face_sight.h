@@ -11,6 +11,9 @@ namespace hottel {
 
 struct PreparedScene3;
 
+// The tolerance, of the smaller area, for whoever asks only what is seen: that does not depend on it.
+inline constexpr double kCoarseTolerance = 0.1;
+
 // Throws RequestError where nothing of a face is free: it lies in solids, or others have all of its place.
 void require_free(const PreparedScene3& prepared, const Face& face);
 

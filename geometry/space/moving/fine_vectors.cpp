@@ -4,12 +4,12 @@
 
 #include "geometry/space/moving/moving_planes.h"
 #include "geometry/space/vectors/integer_reals.h"
+#include "kernel/doubles.h"
 #include "kernel/wide_real.h"
 
 namespace hottel {
 namespace {
 
-constexpr double kUnit = 0x1p-53;
 // Relative error from which a normal or a direction is made from integers.
 constexpr double kIllConditioned = 1e-13;
 
@@ -71,7 +71,7 @@ bool MovingPlanes3::is_fine(const MovingVector3& vector, double low, double high
   const Direction3 d = value_at(vector, s);
   const double lost =
       vector.first.error +
-      32 * kUnit * (vector.terms[0] + std::fabs(s) * (vector.terms[1] + std::fabs(s) * vector.terms[2]));
+      32 * kUnitRoundoff * (vector.terms[0] + std::fabs(s) * (vector.terms[1] + std::fabs(s) * vector.terms[2]));
   return lost <= kIllConditioned * size_of(d);
 }
 

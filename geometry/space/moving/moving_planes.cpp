@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "geometry/space/moving/sight_corner.h"
+#include "kernel/doubles.h"
 #include "kernel/exact_double.h"
 
 namespace hottel {
 namespace {
 
-constexpr double kUnit = 0x1p-53;
 constexpr double kExactLimit = 0x1p53;
 
 std::uint64_t key_of(std::uint32_t a, std::uint32_t b) {
@@ -168,7 +168,8 @@ void MovingPlanes3::move_to(double t, double left, double right) {
     BoundedVector& w = toward_[k];
     w = {of_offset * u.x - of_drift * d.x, of_offset * u.y - of_drift * d.y, of_offset * u.z - of_drift * d.z};
     w.size = std::max({std::fabs(w.x), std::fabs(w.y), std::fabs(w.z)});
-    if (!is_exact) w.error = 1.001 * (u.error + t * d.error + 2 * kUnit * (t * d.size + w.size)) + detail::kUnderflow;
+    if (!is_exact)
+      w.error = 1.001 * (u.error + t * d.error + 2 * kUnitRoundoff * (t * d.size + w.size)) + detail::kUnderflow;
   }
   if (unit_ == unit_of_moves_) return;
   unit_of_moves_ = unit_;
@@ -197,7 +198,7 @@ MovingPlanes3::Values MovingPlanes3::height(std::uint32_t body) {
   const BoundedValue product = dot(b.normal, toward_[anchor]);
   const double weight = bodies_.points[anchor].approximate_weight;
   if (!std::isfinite(weight)) return {0, weight};
-  return {product.value / weight, (product.error + 3 * kUnit * std::fabs(product.value)) / weight};
+  return {product.value / weight, (product.error + 3 * kUnitRoundoff * std::fabs(product.value)) / weight};
 }
 
 const MovingVector3& MovingPlanes3::normal(PlaneId3 id) {
@@ -215,7 +216,7 @@ void MovingPlanes3::find_line(Plane& plane) {
   const BoundedVector& w = toward_[plane.a];
   plane.normal.first = cross(w, plane.edge);
   plane.normal.second = cross(moves_[plane.a], plain(plane.edge));
-  const double slack = w.error / kUnit;
+  const double slack = w.error / kUnitRoundoff;
   plane.normal.terms = {(w.size + slack) * plane.edge.size, size_of(moves_[plane.a]) * plane.edge.size, 0};
 }
 
@@ -241,7 +242,7 @@ void MovingPlanes3::find_crossing(Plane& plane) {
   first.size = std::max({std::fabs(first.x), std::fabs(first.y), std::fabs(first.z)});
   const double a = std::fabs(hk.value), b = std::fabs(hp.value);
   const double sizes = a * m.size + b * n.size;
-  first.error = 1.01 * (4 * kUnit * sizes + hk.error * (m.size + m.error) + a * m.error +
+  first.error = 1.01 * (4 * kUnitRoundoff * sizes + hk.error * (m.size + m.error) + a * m.error +
                         hp.error * (n.size + n.error) + b * n.error) +
                 detail::kUnderflow;
   plane.normal.second = k_slope * plain(m) - p_slope * plain(n);
@@ -249,7 +250,7 @@ void MovingPlanes3::find_crossing(Plane& plane) {
     const std::uint32_t anchor = body.corners.front();
     return 3 * body.normal.size * size_of(moves_[anchor]) / bodies_.points[anchor].approximate_weight;
   };
-  plane.normal.terms = {sizes + first.error / kUnit, slope_size(k) * m.size + slope_size(patch) * n.size, 0};
+  plane.normal.terms = {sizes + first.error / kUnitRoundoff, slope_size(k) * m.size + slope_size(patch) * n.size, 0};
 }
 
 bool MovingPlanes3::passes_through(const Plane& plane, std::uint32_t point) const {
@@ -271,7 +272,7 @@ std::uint32_t MovingPlanes3::shared_point(PlaneId3 a, PlaneId3 b) const {
 MovingCorner3 MovingPlanes3::corner_at(std::uint32_t point, bool is_antipode, PlaneSide3 plane) const {
   MovingCorner3 result;
   const BoundedVector& w = toward_[point];
-  result.direction = {w, moves_[point], {}, {w.size + w.error / kUnit, size_of(moves_[point]), 0}};
+  result.direction = {w, moves_[point], {}, {w.size + w.error / kUnitRoundoff, size_of(moves_[point]), 0}};
   if (is_antipode) result.direction = opposite(result.direction);
   result.plane = plane;
   result.point = point;

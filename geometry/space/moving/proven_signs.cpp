@@ -6,11 +6,11 @@
 
 #include "geometry/space/moving/kept_sign.h"
 #include "geometry/space/moving/moving_planes.h"
+#include "kernel/doubles.h"
 
 namespace hottel {
 namespace {
 
-constexpr double kUnit = 0x1p-53;
 // Errors of coefficients are taken as so many times what roots are told by: products of sums of products of three
 // numbers, each off by some units, come to 135 units of their sizes at most, where 32 are taken.
 constexpr double kErrors = 5;
@@ -23,7 +23,7 @@ std::pair<double, double> value_at(const std::array<double, 3>& c, const std::ar
   const double size = std::fabs(s);
   return {c[0] + s * (c[1] + s * c[2]),
           1.01 * kErrors * (e[0] + size * (e[1] + size * e[2])) +
-              8 * kUnit * (std::fabs(c[0]) + size * (std::fabs(c[1]) + size * std::fabs(c[2])))};
+              8 * kUnitRoundoff * (std::fabs(c[0]) + size * (std::fabs(c[1]) + size * std::fabs(c[2])))};
 }
 
 }  // namespace

@@ -5,11 +5,11 @@
 #include <optional>
 
 #include "geometry/space/moving/moving_planes.h"
+#include "kernel/doubles.h"
 
 namespace hottel {
 namespace {
 
-constexpr double kUnit = 0x1p-53;
 // Roots are told to this part of the stretch: those at which what is seen may jump, and others.
 constexpr double kJumpError = 0x1p-50;
 constexpr double kRootError = 0x1p-46;
@@ -51,7 +51,7 @@ int MovingPlanes3::facing(std::uint32_t body) {
     return 0;
   }
   const double slope = dot(plain(b.normal), moves_[anchor]);
-  const double slope_error = 16 * kUnit * b.normal.size * size_of(moves_[anchor]);
+  const double slope_error = 16 * kUnitRoundoff * b.normal.size * size_of(moves_[anchor]);
   const std::array<double, 3> c{product.value, slope, 0}, e{product.error, slope_error, 0};
   if (keeps_signs_) keep(body, {c, e}, sign);
   if (!is_far_from_zero(c, e) && !narrow(c, e, sign, kJumpError)) narrow_exactly(exact(), sign);
@@ -146,8 +146,8 @@ inline bool MovingPlanes3::is_point_far(std::uint32_t point, const MovingVector3
   const BoundedVector& w = toward_[point];
   const Direction3& move = moves_[point];
   const double slope = dot(move, plain(m.first)) + dot(plain(w), m.second);
-  const double slope_error =
-      32 * kUnit * (unit_ * drifts_[point].size) * m.terms[0] + 32 * kUnit * (w.size + w.error / kUnit) * m.terms[1];
+  const double slope_error = 32 * kUnitRoundoff * (unit_ * drifts_[point].size) * m.terms[0] +
+                             32 * kUnitRoundoff * (w.size + w.error / kUnitRoundoff) * m.terms[1];
   return is_far_from_zero({value.value, slope, 0}, {value.error, slope_error, 0});
 }
 
@@ -156,7 +156,7 @@ inline MovingPlanes3::Quadratic MovingPlanes3::quadratic(const MovingCorner3& co
                                                          BoundedValue value) {
   const MovingVector3& v = corner.direction;
   const Direction3 v0 = plain(v.first), m0 = plain(m.first);
-  const auto bound = [&](int a, int b) { return 32 * kUnit * v.terms[a] * m.terms[b]; };
+  const auto bound = [&](int a, int b) { return 32 * kUnitRoundoff * v.terms[a] * m.terms[b]; };
   Quadratic result{{value.value, dot(v.second, m0) + dot(v0, m.second), 0},
                    {value.error, bound(1, 0) + bound(0, 1), 0}};
   if (corner.point == MovingCorner3::kNoPoint) {
@@ -241,7 +241,7 @@ bool MovingPlanes3::narrow(const std::array<double, 3>& c, const std::array<doub
   const double square = c1 * c1 - 4 * c0 * c2;
   const double square_error = 2 * std::fabs(c1) * e[1] + e[1] * e[1] +
                               4 * (std::fabs(c0) * e[2] + std::fabs(c2) * e[0] + e[0] * e[2]) +
-                              8 * kUnit * (c1 * c1 + 4 * std::fabs(c0 * c2));
+                              8 * kUnitRoundoff * (c1 * c1 + 4 * std::fabs(c0 * c2));
   if (square < -square_error) return true;
   // Far enough from a double root roots move by what the polynomial may be off there, over its slope, `root`.
   if (!(c0 > e[0]) || !(square > 4 * square_error)) return false;
@@ -250,7 +250,7 @@ bool MovingPlanes3::narrow(const std::array<double, 3>& c, const std::array<doub
   const double near = c0 / q, far = q / c2;
   const auto error_of = [&](double r) { return e[0] + std::fabs(r) * (e[1] + std::fabs(r) * e[2]); };
   const auto is_settled = [&](double r) {
-    const double error = 2 * error_of(r) / root + 8 * kUnit * std::fabs(r);
+    const double error = 2 * error_of(r) / root + 8 * kUnitRoundoff * std::fabs(r);
     return error_of(r) <= accuracy * root || r - error >= right_ || r + error <= -left_;
   };
   const bool is_far = std::fabs(q) - q_error > 1.001 * std::max(left_, right_) * (std::fabs(c2) + e[2]);
