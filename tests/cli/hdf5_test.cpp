@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 
 #include "tests/cli/program.h"
@@ -52,6 +53,20 @@ TEST(Hdf5, OfSomeRowsIsSmallerAndComparedInThem) {
       place.run("hottel compare " + kApartment + "--methods exact,file:some.h5 --repeat 1 -o c --quiet");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(lines_of(place.read("c/compare.csv"))[2], HasSubstr(",0,0,"));
+}
+
+TEST(Hdf5, WithoutItsLibraryIsRefusedAndAllOtherFilesAreWritten) {
+  const Workplace place;
+  ASSERT_EQ(place.run("hottel factors " + kApartment + "-o there.h5 --quiet").code, 0);
+  place.write(HOTTEL_HDF5, "");  // no library, and found first
+  const std::string without = "env LD_LIBRARY_PATH=. hottel ";
+  for (const char* line : {"factors -o f.h5 ", "solve --method file:there.h5 "}) {
+    const Outcome outcome = place.run(without + line + kApartment);
+    EXPECT_EQ(outcome.code, 1) << line;
+    for (const char* part : {HOTTEL_HDF5, ".h5"}) EXPECT_THAT(outcome.err, HasSubstr(part)) << line;
+  }
+  EXPECT_FALSE(std::filesystem::exists(place.path("f.h5")));
+  EXPECT_EQ(place.run(without + "factors -o f.mtx " + kApartment).code, 0);
 }
 
 TEST(Hdf5, ThatCannotBeWrittenLeavesTheEarlierOne) {

@@ -35,7 +35,8 @@ endfunction()
 if(EXISTS "${build}/man/hottel.1")  # made where there is help2man
   set(pages share/man/man1/hottel.1 share/man/man1/hottel-factors.1)
 endif()
-expect(hottel Recommends "libsdl2")
+expect(hottel Recommends "libhdf5.*libsdl2")
+expect(python3-hottel Recommends "libhdf5.*python3-scipy")
 expect(hottel Depends "libcairo2.*libgmp10" ${pages} bin/hottel share/doc/hottel/README.md
        share/bash-completion/completions/hottel share/doc/hottel/docs/python.md)
 expect(libhottel-dev Depends "libgmp-dev.*libtbb-dev" lib/libhottel_kernel.a lib/libhottel_viewer.a include/hottel/hottel.h

@@ -7,14 +7,15 @@
 namespace hottel {
 
 // Functions of SDL, SDL_CreateTexture as CreateTexture.
-#define HOTTEL_EACH_OF_SDL(each)                                                                                    \
-  each(CreateRenderer) each(CreateTexture) each(CreateWindow) each(DestroyRenderer) each(DestroyTexture)            \
-      each(DestroyWindow) each(GetCurrentVideoDriver) each(GetError) each(GetRendererOutputSize) each(GetVersion)   \
-          each(GetWindowSize) each(InitSubSystem) each(LoadFunction) each(LoadObject) each(PeepEvents)              \
-              each(PumpEvents) each(PushEvent) each(Quit) each(RegisterEvents) each(RenderCopy) each(RenderPresent) \
-                  each(SetClipboardText) each(SetHint) each(SetHintWithPriority) each(SetMainReady)                 \
-                      each(SetTextureBlendMode) each(SetWindowTitle) each(StartTextInput) each(StopTextInput)       \
-                          each(UpdateTexture) each(WaitEventTimeout) each(WasInit)
+// clang-format off
+#define HOTTEL_EACH_OF_SDL(each) \
+  each(CreateRenderer) each(CreateTexture) each(CreateWindow) each(DestroyRenderer) each(DestroyTexture) \
+  each(DestroyWindow) each(GetCurrentVideoDriver) each(GetError) each(GetRendererOutputSize) each(GetVersion) \
+  each(GetWindowSize) each(InitSubSystem) each(LoadFunction) each(LoadObject) each(PeepEvents) each(PumpEvents) \
+  each(PushEvent) each(Quit) each(RegisterEvents) each(RenderCopy) each(RenderPresent) each(SetClipboardText) \
+  each(SetHint) each(SetHintWithPriority) each(SetMainReady) each(SetTextureBlendMode) each(SetWindowTitle) \
+  each(StartTextInput) each(StopTextInput) each(UpdateTexture) each(WaitEventTimeout) each(WasInit)
+// clang-format on
 
 struct Sdl {
 #define HOTTEL_MEMBER(name) decltype(&SDL_##name) name;
