@@ -61,7 +61,7 @@ class HarmlessRepair {
       auto repair = attempt(held);
       const bool is_done = repair.moved.empty();
       const auto again = is_done ? repair : HarmlessRepair(repair.scene, close_, find_).attempt(none(repair.scene));
-      if (is_done || (again.moved.empty() && again.scene.surfaces.size() == repair.scene.surfaces.size())) {
+      if (is_done || !is_anything_done(again.steps)) {
         repair.steps.insert(repair.steps.end(), refused.begin(), refused.end());
         return repair;
       }
@@ -149,7 +149,7 @@ class HarmlessRepair {
     std::vector<char> still_held;
     for (const std::uint32_t s : origin) still_held.push_back(held[s]);
     const Repair again = close_(repair.scene, still_held);
-    if (again.moved.empty() && again.scene.surfaces.size() == repair.scene.surfaces.size()) return {};
+    if (!is_anything_done(again.steps)) return {};
     const std::vector<std::size_t> moves = moves_of(repair);
     std::set<std::size_t> found;
     for (const Surfaces& together : again.moved)

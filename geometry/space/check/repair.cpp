@@ -53,7 +53,6 @@ template <class Keep>
 void keep_if(Repair3& repair, const Keep& keep) {
   Scene3& scene = repair.scene;
   std::vector<std::uint32_t> place(scene.surfaces.size());
-  std::vector<std::string> names;
   std::uint32_t count = 0;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     place[s] = count;
@@ -61,13 +60,15 @@ void keep_if(Repair3& repair, const Keep& keep) {
     if (count != s) {
       scene.surfaces[count] = std::move(scene.surfaces[s]);
       scene.polygons[count] = std::move(scene.polygons[s]);
+      repair.former_names[count] = std::move(repair.former_names[s]);
+      repair.origins[count] = repair.origins[s];
     }
-    names.push_back(repair.former_names[s]);
     ++count;
   }
   scene.surfaces.resize(count);
   scene.polygons.resize(count);
-  repair.former_names = std::move(names);
+  repair.former_names.resize(count);
+  repair.origins.resize(count);
   for (Mask3& mask : scene.masks) mask = {place[mask.surface], place[mask.base]};
 }
 
@@ -75,7 +76,10 @@ void keep_if(Repair3& repair, const Keep& keep) {
 
 Repair3 unrepaired(const Scene3& scene) {
   Repair3 repair{scene, {}, {}};
-  for (const Surface& surface : scene.surfaces) repair.former_names.push_back(surface.name);
+  for (const Surface& surface : scene.surfaces) {
+    repair.origins.push_back(static_cast<std::uint32_t>(repair.former_names.size()));
+    repair.former_names.push_back(surface.name);
+  }
   return repair;
 }
 
@@ -87,9 +91,30 @@ std::string former_name(const Repair3& repair, const Element& element) {
 Repair3 close_gaps(const Scene3& scene, const Rational& distance) {
   HOTTEL_REQUIRE(distance > 0);
   const auto close = [&](const Scene3& some, const std::vector<char>& held) {
-    return closed_gaps(some, distance, held);
+    Repair3 repair = closed_gaps(some, distance, held);
+    tidy(repair);
+    return repair;
   };
-  return HarmlessRepair(scene, close, shape_and_contacts).repair();
+  Repair3 tidied = unrepaired(scene);
+  tidy(tidied);
+  Repair3 closed = HarmlessRepair(tidied.scene, close, shape_and_contacts).repair();
+  for (std::uint32_t& s : closed.origins) s = tidied.origins[s];
+  for (std::vector<std::uint32_t>& together : closed.moved)
+    for (std::uint32_t& s : together) s = tidied.origins[s];
+  closed.steps.insert(closed.steps.begin(), tidied.steps.begin(), tidied.steps.end());
+  return closed;
+}
+
+// What is reversed may be a double now.
+void tidy(Repair3& repair) {
+  constexpr int kMostRounds = 8;
+  std::size_t before = 0;
+  for (int round = 0; round == 0 || (round < kMostRounds && repair.steps.size() > before); ++round) {
+    before = repair.steps.size();
+    drop_doubles(repair);
+    reverse_upside_down(repair);
+    reverse_inside_out(repair);
+  }
 }
 
 namespace {

@@ -18,7 +18,7 @@ struct Repair3 {
   // The surfaces, as they were numbered before, of which a corner moved; those whose corners moved together in one
   // list.
   std::vector<std::vector<std::uint32_t>> moved{};
-  std::vector<std::uint32_t> origins{};  // by surface, as close_gaps leaves them: which one it was before
+  std::vector<std::uint32_t> origins{};  // by surface: which one it was before
 };
 
 }  // namespace hottel

@@ -216,5 +216,25 @@ TEST(Repair3, OfASheetAndTheFaceOfABoxThatIsTheSameTheSheetIsDropped) {
   }
 }
 
+// While there are two of it, both move, or none where more would be found of two: the second repair would move one.
+TEST(Repair3, OfASheetTypedTwiceNearAWallOneIsLeftBeforeAnythingMoves) {
+  Scene3 scene = empty_scene();
+  const auto at = [](const char* x, const char* y, const char* z) { return Point3{q(x), q(y), q(z)}; };
+  const std::vector<Point3> sheet{at("1.377402", "0.460744", "1.262133"), at("1.364852", "0.652268", "1.205912"),
+                                  at("0.659724", "0.538851", "0.976936"), at("0.672273", "0.347326", "1.033157")};
+  add(scene, "wall",
+      {at("4.700858", "0.756116", "1.526505"), at("0", "0", "0"), at("-0.736721", "0.539283", "2.001604"),
+       at("3.796701", "1.417963", "3.983019")});
+  add(scene, "sheet", sheet);
+  add(scene, "again", {sheet[2], sheet[3], sheet[0], sheet[1]});
+  for (Surface& surface : scene.surfaces) surface.material = 0, surface.back = 0;
+  const Repair3 repair = close_gaps(scene, 1000 * kGap);
+  EXPECT_THAT(steps(repair), Contains("dropped again"));
+  EXPECT_THAT(steps(repair), Contains("snapped sheet"));
+  for (const RepairStep& step : close_gaps(repair.scene, 1000 * kGap).steps) EXPECT_EQ(step.kind, "not-repaired");
+  for (std::size_t s = 0; s < repair.origins.size(); ++s)
+    EXPECT_EQ(scene.surfaces[repair.origins[s]].name, repair.former_names[s]);
+}
+
 }  // namespace
 }  // namespace hottel::repair_test
