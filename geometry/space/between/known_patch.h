@@ -16,10 +16,11 @@ namespace hottel {
 // REQUIRES: patch and occluders outlive it. COST: some microseconds; some 100 bytes a corner.
 struct KnownPatch3 {
   const Patch3* patch;
-  long bits = 0;                           // of the largest coordinate
+  long spare = 0;                          // by how many bits the weight is longer than a double
+  long bits = 0;                           // of the largest coordinate, without those
   std::vector<VertexId3> vertices;         // of its surface, at the corners; none where there is none
   std::vector<BoundedVector> approximate;  // the corners, in doubles of whole numbers
-  double weight = 0;                       // of the corners, in doubles
+  double weight = 0;                       // of the corners, times 2^-spare
   IntegerVector normal;                    // of its front, coprime; zero where it is far
   BoundedVector rounded_normal;
   int turn = 0;  // +1 where its front is that of its surface, -1 where it is the back; 0 of the sky

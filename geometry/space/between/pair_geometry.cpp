@@ -42,9 +42,9 @@ PairGeometry3::PairGeometry3(const Occluders3& occluders, std::unique_ptr<const 
 }
 
 std::uint32_t PairGeometry3::add_point(const IntegerVector& exact, const Integer& weight,
-                                       const BoundedVector& approximate, double approximate_weight) {
-  points.push_back({&exact, &weight, approximate, approximate_weight});
-  if (mpz_sizeinbase(weight.get_mpz_t(), 2) > 53) points.back().approximate.error += 0x1p-52 * approximate.size;
+                                       const BoundedVector& approximate, double approximate_weight, long spare) {
+  points.push_back({&exact, &weight, approximate, approximate_weight, spare});
+  if (spare > 0) points.back().approximate.error += 0x1p-52 * approximate.size;
   return static_cast<std::uint32_t>(points.size() - 1);
 }
 
@@ -74,20 +74,20 @@ void PairGeometry3::add_patch(const Occluders3& occluders, const KnownPatch3& kn
       body.corners.push_back(vertex(occluders, same));
       continue;
     }
-    const BoundedVector approximate = shift_ == 0 ? known.approximate[k] : rounded(corner, shift_);
+    const long shift = shift_ + known.spare;
+    const BoundedVector approximate = shift == 0 ? known.approximate[k] : rounded(corner, shift);
     const auto may_be_same = [&](const Point& p) {
       const double slack = 1e-9 * (weight * p.approximate.size + p.approximate_weight * approximate.size);
-      // Not a number where weights are infinite: then all may be.
-      return !(std::fabs(weight * p.approximate.x - p.approximate_weight * approximate.x) > slack) &&
-             !(std::fabs(weight * p.approximate.y - p.approximate_weight * approximate.y) > slack) &&
-             !(std::fabs(weight * p.approximate.z - p.approximate_weight * approximate.z) > slack);
+      return std::fabs(weight * p.approximate.x - p.approximate_weight * approximate.x) <= slack &&
+             std::fabs(weight * p.approximate.y - p.approximate_weight * approximate.y) <= slack &&
+             std::fabs(weight * p.approximate.z - p.approximate_weight * approximate.z) <= slack;
     };
     const auto is_same = [&](const Point& p) {
       return may_be_same(p) && is_at_vertex_3(multiple(p.weight(), corner), patch.weight, p.exact());
     };
     const auto found = std::find_if(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(others), is_same);
     body.corners.push_back(found == points.begin() + static_cast<std::ptrdiff_t>(others)
-                               ? add_point(corner, patch.weight, approximate, weight)
+                               ? add_point(corner, patch.weight, approximate, weight, known.spare)
                                : static_cast<std::uint32_t>(found - points.begin()));
   }
   bodies.push_back(std::move(body));
@@ -198,9 +198,7 @@ Direction3 PairGeometry3::place(std::uint32_t point) const {
   const BoundedVector& a = p.approximate;
   const double w = p.approximate_weight;
   if (p.is_far()) return {a.x, a.y, a.z};
-  if (std::isfinite(w)) return {a.x / w, a.y / w, a.z / w};
-  return {rounded_quotient(p.exact().x, p.weight(), shift_), rounded_quotient(p.exact().y, p.weight(), shift_),
-          rounded_quotient(p.exact().z, p.weight(), shift_)};
+  return {a.x / w, a.y / w, a.z / w};
 }
 
 int PairGeometry3::side(std::uint32_t point, std::uint32_t body) const {

@@ -28,8 +28,9 @@ struct PairGeometry3 {
   struct Point {
     const IntegerVector* numerator;  // integer form times weight: of the vertices, or of a patch
     const Integer* denominator;      // the weight
-    BoundedVector approximate;       // the numerator times a power of two, one for all points; 1 where every one fits
-    double approximate_weight = 1;   // infinite where no double is as large: then signs are found from integers
+    BoundedVector approximate;       // the numerator times 2^-(shift() + spare)
+    double approximate_weight = 1;   // the weight times 2^-spare
+    long spare = 0;                  // by how many bits the weight is longer than a double
 
     const IntegerVector& exact() const { return *numerator; }
     const Integer& weight() const { return *denominator; }
@@ -94,7 +95,7 @@ struct PairGeometry3 {
   const Vertices3& vertices() const { return *vertices_; }
   // The patches.
   const KnownPatch3& known(std::uint32_t patch) const { return *known_[patch]; }
-  // The doubles of points are multiplied with 2^-shift().
+  // The doubles of points are multiplied with 2^-shift(), and where weights are long with 2^-spare besides.
   long shift() const { return shift_; }
   // Where a point is, in the unit of these doubles, however long its numbers are; of a far one its direction.
   Direction3 place(std::uint32_t point) const;
@@ -123,7 +124,7 @@ struct PairGeometry3 {
   };
   PairGeometry3(const Occluders3& occluders, std::unique_ptr<const OwnPatches> own);
   std::uint32_t add_point(const IntegerVector& exact, const Integer& weight, const BoundedVector& approximate,
-                          double approximate_weight);
+                          double approximate_weight, long spare = 0);
   std::uint32_t vertex(const Occluders3& occluders, VertexId3 v);
   void add_patch(const Occluders3& occluders, const KnownPatch3& known);
   std::uint32_t begin_body(const Occluders3& occluders, std::uint32_t surface);

@@ -170,7 +170,6 @@ void PairOccluders3::add_half_space(const HullPlane& plane, double unit_ratio) {
   if (!(bounded.error <= kSureNormal * bounded.size)) return;  // of points that all but coincide
   const auto place = [&](std::uint32_t number) {
     const PairGeometry3::Point& p = bodies.points[number];
-    if (!std::isfinite(p.approximate_weight)) return unit_ratio * bodies.place(number);
     const double scale = unit_ratio / p.approximate_weight;
     return Direction3{scale * p.approximate.x, scale * p.approximate.y, scale * p.approximate.z};
   };

@@ -195,7 +195,7 @@ class GapCloser {
 
   // Moves c where it may go and still touches what it touched.
   bool try_move(std::uint32_t c, const Point3& to, std::uint32_t onto, bool is_edge, const Corners& touched) {
-    if (!may_move(c, to)) return false;
+    if (!may_move(c, to) || is_too_long(to)) return false;
     if (std::any_of(touched.begin(), touched.end(), [&](std::uint32_t s) { return !contains(now_[s], to); }))
       return false;
     place_[c] = to;
@@ -264,7 +264,7 @@ class GapCloser {
         continue;
       steps.push_back({"not-repaired", scene_.surfaces[first_at(c)].name,
                        fmt::format("the corner of {} at {} is within reach of {}, but cannot be put there without "
-                                   "leaving what it lies on, or moving too far",
+                                   "leaving what it lies on, moving too far, or to a place of very long numbers",
                                    names_text(scene_, table_.at[c]), place_text(place_[c]), name(s))});
     }
   }

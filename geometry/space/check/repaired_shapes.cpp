@@ -9,6 +9,9 @@ namespace {
 
 constexpr unsigned long kMostDecimals = 60;  // of the parameters along the sides of a polygon
 constexpr std::size_t kLongPlace = 120;      // characters of coordinates beyond which shorter ones are looked for
+constexpr std::size_t kLongestPlace = 300;   // of coordinates typed to six digits where a plane meets an edge: 200
+
+std::size_t length_of(const Point3& p) { return to_string(p.x).size() + to_string(p.y).size() + to_string(p.z).size(); }
 
 // The nearest number with so many decimals.
 Rational rounded_to(const Rational& t, unsigned long decimals) {
@@ -39,9 +42,9 @@ Point3 farthest_from_first_side(const Polygon3& polygon) {
 
 }  // namespace
 
-bool is_long(const Point3& p) {
-  return to_string(p.x).size() + to_string(p.y).size() + to_string(p.z).size() > kLongPlace;
-}
+bool is_long(const Point3& p) { return length_of(p) > kLongPlace; }
+
+bool is_too_long(const Point3& p) { return length_of(p) > kLongestPlace; }
 
 Point3 short_point_near(const Side3& side, const Point3& p, const ClosestPoint3& closest) {
   const Vector3 along = side.to - side.from;

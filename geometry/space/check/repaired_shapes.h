@@ -11,6 +11,11 @@ namespace hottel {
 // True iff a point has coordinates so long that shorter ones nearby would do.
 bool is_long(const Point3& p);
 
+// True iff a point has coordinates so long that exact arithmetic with it would take minutes where it takes seconds now:
+// a place where planes and edges meet that themselves go through such places. All points of a scene share a
+// denominator.
+bool is_too_long(const Point3& p);
+
 // Returns a point inside the side near the foot of p, with few decimals along the side. It is hardly farther from p
 // than the foot is.
 Point3 short_point_near(const Side3& side, const Point3& p, const ClosestPoint3& closest);

@@ -140,13 +140,13 @@ void MovingPlanes3::look_from(const Stretch3& stretch) {
       continue;
     }
     exact.push_back(difference(multiple(stretch.weight, p.exact()), multiple(p.weight(), stretch.from)));
-    top = std::max(top, bits(exact.back()));
+    top = std::max(top, bits(exact.back()) - p.spare);
   }
   const long shift = std::max(0L, top - 60);
   for (std::size_t k = 0; k < count; ++k) {
-    const bool is_far = bodies_.points[k].is_far();
-    offsets_[k] = is_far ? bodies_.points[k].approximate : rounded(exact[k], shift);
-    drifts_[k] = rounded(multiple(bodies_.points[k].weight(), stretch.way), shift);
+    const PairGeometry3::Point& p = bodies_.points[k];
+    offsets_[k] = p.is_far() ? p.approximate : rounded(exact[k], shift + p.spare);
+    drifts_[k] = rounded(multiple(p.weight(), stretch.way), shift + p.spare);
   }
 }
 
@@ -197,7 +197,6 @@ MovingPlanes3::Values MovingPlanes3::height(std::uint32_t body) {
   const std::uint32_t anchor = b.corners.front();
   const BoundedValue product = dot(b.normal, toward_[anchor]);
   const double weight = bodies_.points[anchor].approximate_weight;
-  if (!std::isfinite(weight)) return {0, weight};
   return {product.value / weight, (product.error + 3 * kUnitRoundoff * std::fabs(product.value)) / weight};
 }
 

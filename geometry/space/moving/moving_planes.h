@@ -242,10 +242,10 @@ class MovingPlanes3 {
   std::vector<std::vector<PlaneSide3>> sides_;  // of the cones of bodies whose back is seen
   std::uint32_t first_face_ = 0, first_crossing_ = 0;
 
-  // Of the line: weight * point - weight of the point * from, and weight of the point * way; times 2^-shift.
+  // Of the line: weight * point - weight of the point * from, and weight of the point * way; times a power of two, the
+  // same but for what weights are longer than doubles.
   const Stretch3* stretch_ = nullptr;
   std::vector<BoundedVector> offsets_, drifts_;
-  std::vector<double> weights_;
   bool is_small_ = false;
   double largest_offset_ = 0, largest_drift_ = 0;
 

@@ -51,7 +51,7 @@ int MovingPlanes3::facing(std::uint32_t body) {
     return 0;
   }
   const double slope = dot(plain(b.normal), moves_[anchor]);
-  const double slope_error = 16 * kUnitRoundoff * b.normal.size * size_of(moves_[anchor]);
+  const double slope_error = 16 * kUnitRoundoff * b.normal.size * size_of(moves_[anchor]) + detail::kUnderflow;
   const std::array<double, 3> c{product.value, slope, 0}, e{product.error, slope_error, 0};
   if (keeps_signs_) keep(body, {c, e}, sign);
   if (!is_far_from_zero(c, e) && !narrow(c, e, sign, kJumpError)) narrow_exactly(exact(), sign);
@@ -147,7 +147,7 @@ inline bool MovingPlanes3::is_point_far(std::uint32_t point, const MovingVector3
   const Direction3& move = moves_[point];
   const double slope = dot(move, plain(m.first)) + dot(plain(w), m.second);
   const double slope_error = 32 * kUnitRoundoff * (unit_ * drifts_[point].size) * m.terms[0] +
-                             32 * kUnitRoundoff * (w.size + w.error / kUnitRoundoff) * m.terms[1];
+                             32 * kUnitRoundoff * (w.size + w.error / kUnitRoundoff) * m.terms[1] + detail::kUnderflow;
   return is_far_from_zero({value.value, slope, 0}, {value.error, slope_error, 0});
 }
 
@@ -156,7 +156,7 @@ inline MovingPlanes3::Quadratic MovingPlanes3::quadratic(const MovingCorner3& co
                                                          BoundedValue value) {
   const MovingVector3& v = corner.direction;
   const Direction3 v0 = plain(v.first), m0 = plain(m.first);
-  const auto bound = [&](int a, int b) { return 32 * kUnitRoundoff * v.terms[a] * m.terms[b]; };
+  const auto bound = [&](int a, int b) { return 32 * kUnitRoundoff * v.terms[a] * m.terms[b] + detail::kUnderflow; };
   Quadratic result{{value.value, dot(v.second, m0) + dot(v0, m.second), 0},
                    {value.error, bound(1, 0) + bound(0, 1), 0}};
   if (corner.point == MovingCorner3::kNoPoint) {
