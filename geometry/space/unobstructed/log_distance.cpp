@@ -194,6 +194,25 @@ Approximation<Real> parallel_mean(const EdgePair3<Real>& pair, const EdgeEnds3<R
   return result;
 }
 
+// How far e is moved, at most, where it is turned about its beginning to be parallel to f.
+template <class Real>
+double tilt_of(const EdgePair3<Real>& pair, const EdgeEnds3<Real>& ends) {
+  const double size_u = ends.length_of(0), size_v = ends.length_of(1);
+  return 1.001 * to_double(length(cross(pair.u, pair.v))) / size_v + 2.1 * pair.error * (1 + size_u / size_v) +
+         8 * kRoundoff<Real> * size_u;
+}
+
+// The mean of e so turned, and what that changes. REQUIRES that f is not the shorter one.
+template <class Real>
+Approximation<Real> turned_mean(const EdgePair3<Real>& pair, double change) {
+  EdgePair3<Real> turned = pair;
+  turned.u = (dot(pair.u, pair.v) / square(pair.v)) * pair.v;
+  turned.error = 3.1 * pair.error + 8 * kRoundoff<Real> * to_double(length(pair.u));
+  Approximation<Real> mean = parallel_mean(turned, EdgeEnds3<Real>(turned));
+  mean.error += change;
+  return mean;
+}
+
 // Cuts pairs into cells until one of the formulas above is good for each.
 template <class Real>
 class CellSum {
@@ -239,6 +258,12 @@ class CellSum {
       mean.error += row_error(n);
       return add(mean, cell.share);
     }
+    // Edges that are all but parallel: turned until they are, where that changes little enough.
+    if (cell.contact == EdgeContact3::kNone && count_ < kMaxCells<Real>)
+      if (const double change = modulus(tilt_of(cell.pair, ends) / ends.length_of(1)); change <= tolerance_) {
+        if (ends.length_of(1) > kMaxRatio * ends.length_of(0)) return halve(swapped(cell));
+        return add(turned_mean(cell.pair, change), cell.share);
+      }
     // The middle for all of it, where the mean is continuous but may not be smooth.
     const double wide = modulus(ends.length_of(0) / ends.length_of(1) / 2);
     if (wide * to_double(cell.share) <= tolerance_ / 16 || count_ >= kMaxCells<Real>) {

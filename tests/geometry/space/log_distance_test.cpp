@@ -64,6 +64,15 @@ class LogDistance3 : public ::testing::Test {
     e.d = number(2) * e.u + apart * vector();
     return e;
   }
+  // Parallel ones, one of them tilted a little, beside each other, on one line or crossing.
+  Edges nearly_parallel(double apart, double tilt) {
+    Edges e = parallel(apart);
+    e.contact = EdgeContact3::kNone;
+    const Vector before = e.v;
+    e.v = before + tilt * vector_not_zero();
+    if (apart == 0) e.d = e.d - 0.5 * (e.v - before);
+    return e;
+  }
   // The lines come as near as `gap`, somewhere along both.
   Edges nearly_crossing(double gap) {
     Edges e = crossing();
@@ -98,7 +107,24 @@ TEST_F(LogDistance3, ErrorsAreProven) {
       for (const int power : {-3, -12, -30})
         expect_agreement(nearly_crossing(std::ldexp(1, power)), tolerance,
                          "edges in the distance 2^" + std::to_string(power) + number);
+      if (round % 8 != 0) continue;  // these take long in many digits
+      for (const int power : {-12, -20, -30, -38})
+        for (const double apart : {0.0, std::ldexp(1, power), 0.125})
+          expect_agreement(nearly_parallel(apart, std::ldexp(1, power)), tolerance,
+                           "edges tilted by 2^" + std::to_string(power) + number);
     }
+}
+
+// Edges that are one but for 2^-340, which no number here tells: the mean is that of one with itself, -3/2, within
+// 1e-100.
+TEST_F(LogDistance3, EdgesThatAreAllButOneAreTakenAsOne) {
+  const Edges edges{{0, 0, 0x1p-341}, {1, 0, 0}, {1, 0, -0x1p-340}};
+  const auto in_doubles = mean_of<double>(edges, 1e-12);
+  EXPECT_LE(in_doubles.error, 2e-12);
+  EXPECT_NEAR(in_doubles.value, -1.5, in_doubles.error);
+  const auto wide = mean_of<WideReal>(edges, 1e-60);
+  EXPECT_LE(wide.error, 2e-60);
+  EXPECT_LE(static_cast<double>(abs(wide.value + 1.5)), wide.error);
 }
 
 // Two edges of length 1 on one line, from one point: J = the integral of ln(s + t) = 2 ln 2 - 3/2; of one with itself:
