@@ -29,8 +29,8 @@ enum class Hdf5Number : unsigned char { kInt8, kUint32, kUint64, kFloat64 };
 //   (2) an array is laid out in chunks of 2^17 numbers (of a mebibyte of texts), one behind the other, whoever writes
 //   which of them (3) each array has the attribute `crc32` of its bytes
 //
-// Throws OutputError where the disk is full or fails, RequestError where the library is not on this machine. The library
-// is used by one thread at a time.
+// Throws OutputError where the disk is full or fails, RequestError where the library is not on this machine. That is
+// used by one thread at a time.
 class Hdf5Writer {
  public:
   // path: of a file that is there already and is overwritten; name: what messages call it.

@@ -22,7 +22,7 @@ void tidy(Repair3& repair);
 // and corners within `distance` of an edge or a face of a polygon put exactly onto it, edges first; what comes of that
 // is tidied too.
 //
-//   (1) no corner moves farther than `distance`; without a gap, and with nothing to tidy, the scene is returned as it is
+//   (1) no corner moves farther than `distance`; without a gap, and with nothing to tidy, the scene stays as it is
 //   (2) a corner that lies on a polygon exactly, and stays within reach of it, lies on it afterwards
 //   (3) every polygon is one (polygon_problem). One that would not be plane any more becomes triangles (NAME[0],
 //       NAME[1], ...: triangulated); where that cannot be, none of its corners moves (not-repaired)
