@@ -74,7 +74,7 @@ TEST(RowSums, OfAHatThatIsSeenFromWithinAndFromOutside) {
 // Where faces meet, their pieces have corners that are ratios of integers of hundreds of digits. In doubles of a common
 // size all other points would be zero.
 TEST(RowSums, OfBoxesThatAreNearlyOneAddUpToOne) {
-  const ValidScene scene = read_scene(HOTTEL_SOURCE_DIR "/scenes/space/boxes_nearly_one.json");
+  const ValidScene scene = read_scene(HOTTEL_SOURCE_DIR "/tests/geometry/space/boxes_nearly_one.json");
   const ExchangeMatrix matrix = exact_exchange(prepare(std::get<ValidScene3>(scene)));  // every pair can be measured
   for (std::uint32_t row = 0; row < matrix.size(); ++row) {
     double sum = 0;
