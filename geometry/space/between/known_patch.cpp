@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/space/arrangement/short_integers.h"
-#include "kernel/exact_double.h"
+#include "kernel/determinant.h"
 
 namespace hottel {
 namespace {
@@ -32,10 +32,9 @@ VertexId3 vertex_at(const Occluders3& occluders, const Patch3& patch, const Inte
 }  // namespace
 
 KnownPatch3::KnownPatch3(const Occluders3& occluders, const Patch3& its)
-    : patch(&its), spare(std::max(0L, static_cast<long>(mpz_sizeinbase(its.weight.get_mpz_t(), 2)) - 53)) {
-  long exponent = 0;
-  const double leading = mpz_get_d_2exp(&exponent, its.weight.get_mpz_t());
-  weight = std::ldexp(leading, static_cast<int>(exponent - spare));
+    : patch(&its),
+      spare(std::max(0L, static_cast<long>(mpz_sizeinbase(its.weight.get_mpz_t(), 2)) - 53)),
+      weight(rounded_quotient(its.weight, 1, spare)) {
   for (const IntegerVector& corner : its.corners) {
     bits = std::max(bits, hottel::bits(corner) - spare);
     approximate.push_back(rounded(corner, 0));

@@ -75,11 +75,7 @@ class OutlineSum {
     const double off = 3 * kRoundoff<Real> * static_cast<double>(fabs(u.x * v.x) + fabs(u.y * v.y) + fabs(u.z * v.z)) +
                        off_u * size_v + off_v * size_u + off_u * off_v;
     if (size <= off) {  // |J| is at most ln of the largest distance, and 1.7 - ln of the longer edge
-      const double longer = std::max(size_u, size_v), may_be = std::max(off_u, off_v);
-      if (longer >= may_be && longer > 0)
-        error_ += (size + off) * (2.4 + std::fabs(same_bits::log(longer)));
-      else if (may_be > 0)  // both may be of any length up to these; |u| |v| ln of the longer grows with both
-        error_ += (size_u + off_u) * (size_v + off_v) * (2.4 + std::fabs(same_bits::log(may_be)));
+      error_ += (size + off) * (2.4 + std::fabs(same_bits::log(std::max(size_u, size_v))));
       return;
     }
     const Approximation<Real> mean = mean_log(k, m, std::max(share_ / size, kRoundoff<Real> / 2));

@@ -9,12 +9,12 @@ namespace hottel {
 
 Repair3 repair_scene(const Scene3& scene, const Rational& distance, const SceneCheck3& before,
                      const std::function<SceneCheck3(const Scene3&)>& check_written) {
-  std::vector<std::function<Repair3()>> ways{[&] {
-                                               Repair3 repair = unrepaired(scene);
-                                               tidy(repair);
-                                               return repair;
-                                             },
-                                             [&] { return unrepaired(scene); }};
+  const auto tidied = [&] {
+    Repair3 repair = unrepaired(scene);
+    tidy(repair);
+    return repair;
+  };
+  std::vector<std::function<Repair3()>> ways{tidied, [&] { return unrepaired(scene); }};
   if (distance > 0) ways.insert(ways.begin(), [&] { return close_gaps(scene, distance); });
   Repair3 repair = chosen_repair(before, ways, [&](const Repair3& some) { return check_written(some.scene); });
   tell_rooms_left(scene, before.findings, repair.steps);
